@@ -1,0 +1,165 @@
+//! embedded-graphics 0.8 with its own `Framebuffer`, used as its documentation shows.
+
+use core::convert::Infallible;
+
+use embedded_graphics::framebuffer::{buffer_size, Framebuffer};
+use embedded_graphics::iterator::raw::RawDataSlice;
+use embedded_graphics::mono_font::ascii::FONT_6X10;
+use embedded_graphics::mono_font::MonoTextStyleBuilder;
+use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle, Triangle as EgTriangle};
+use embedded_graphics::text::Text;
+
+use crate::engine::Engine;
+use crate::scene::{Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+
+/// A frame of embedded-graphics.
+type Frame<C, const N: usize> =
+    Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
+
+/// A frame of 16-bit colours.
+pub type Rgb565Frame = Frame<Rgb565, { buffer_size::<Rgb565>(WIDTH, HEIGHT) }>;
+/// A frame of 8-bit grays.
+pub type Gray8Frame = Frame<Gray8, { buffer_size::<Gray8>(WIDTH, HEIGHT) }>;
+/// A frame of 4-bit grays.
+pub type Gray4Frame = Frame<Gray4, { buffer_size::<Gray4>(WIDTH, HEIGHT) }>;
+/// A frame of single bits.
+pub type BinaryFrame = Frame<BinaryColor, { buffer_size::<BinaryColor>(WIDTH, HEIGHT) }>;
+
+/// At 16 bits.
+pub const RGB565: Engine<Rgb565Frame> = engine(Format::Rgb565, |frame| frame.data_mut());
+/// At 8 bits.
+pub const GRAY8: Engine<Gray8Frame> = engine(Format::Gray8, |frame| frame.data_mut());
+/// At 4 bits.
+pub const GRAY4: Engine<Gray4Frame> = engine(Format::Gray4, |frame| frame.data_mut());
+/// At 1 bit.
+pub const BINARY: Engine<BinaryFrame> = engine(Format::Binary, |frame| frame.data_mut());
+
+/// embedded-graphics fills no polygons, and knows neither colour keys nor colour tables.
+const fn engine<F>(format: Format, bytes: fn(&mut F) -> &mut [u8]) -> Engine<F>
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked + From<<F::Color as PixelColor>::Raw>,
+    for<'a> RawDataSlice<'a, <F::Color as PixelColor>::Raw, LittleEndian>:
+        IntoIterator<Item = <F::Color as PixelColor>::Raw>,
+{
+    let mut engine = Engine::new("embedded-graphics", format, bytes);
+    engine.clear = Some(clear);
+    engine.rects = Some(rects);
+    engine.rows = Some(rects);
+    engine.columns = Some(rects);
+    engine.lines = Some(lines);
+    engine.triangles = Some(triangles);
+    engine.blit = Some(blit);
+    engine.text = Some(|frame, labels| {
+        let Ok(()) = text(frame, labels, F::Color::inked);
+    });
+    engine
+}
+
+/// A colour whose value is the low bits of an ink.
+trait Inked: PixelColor {
+    fn inked(ink: Ink) -> Self;
+}
+
+impl Inked for Rgb565 {
+    fn inked(ink: Ink) -> Self {
+        RawU16::new(ink.0).into()
+    }
+}
+
+impl Inked for Gray8 {
+    fn inked(ink: Ink) -> Self {
+        Self::new(ink.0 as u8)
+    }
+}
+
+impl Inked for Gray4 {
+    fn inked(ink: Ink) -> Self {
+        Self::new(ink.0 as u8 & 15)
+    }
+}
+
+impl Inked for BinaryColor {
+    fn inked(ink: Ink) -> Self {
+        Self::from(ink.0 & 1 != 0)
+    }
+}
+
+fn clear<F>(frame: &mut F, ink: Ink)
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    let Ok(()) = frame.clear(F::Color::inked(ink));
+}
+
+fn rects<F>(frame: &mut F, rects: &[Rect])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for rect in rects {
+        let style = PrimitiveStyle::with_fill(F::Color::inked(rect.ink));
+        let Ok(()) = rect.area.into_styled(style).draw(frame);
+    }
+}
+
+fn lines<F>(frame: &mut F, lines: &[Segment])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for line in lines {
+        let [from, to] = line.ends;
+        let style = PrimitiveStyle::with_stroke(F::Color::inked(line.ink), 1);
+        let Ok(()) = Line::new(from, to).into_styled(style).draw(frame);
+    }
+}
+
+fn triangles<F>(frame: &mut F, triangles: &[Triangle])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for triangle in triangles {
+        let [a, b, c] = triangle.px;
+        let style = PrimitiveStyle::with_fill(F::Color::inked(triangle.ink));
+        let Ok(()) = EgTriangle::new(a, b, c).into_styled(style).draw(frame);
+    }
+}
+
+fn blit<F>(frame: &mut F, sprite: &Sprite<'_>)
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: From<<F::Color as PixelColor>::Raw>,
+    for<'a> RawDataSlice<'a, <F::Color as PixelColor>::Raw, LittleEndian>:
+        IntoIterator<Item = <F::Color as PixelColor>::Raw>,
+{
+    let used = Sprite::SIDE * Sprite::SIDE * <F::Color as PixelColor>::Raw::BITS_PER_PIXEL / 8;
+    let size = Size::new_equal(Sprite::SIDE as u32);
+    for &at in sprite.at {
+        let raw = RawDataSlice::<_, LittleEndian>::new(&sprite.bytes[..used]);
+        let colours = raw.into_iter().map(F::Color::from);
+        let Ok(()) = frame.fill_contiguous(&Rectangle::new(at, size), colours);
+    }
+}
+
+/// Also for other targets: text is embedded-graphics' work, whoever takes its pixels.
+pub fn text<F: DrawTarget>(
+    frame: &mut F,
+    labels: &[Label<'_>],
+    colour: impl Fn(Ink) -> F::Color,
+) -> Result<(), F::Error> {
+    for label in labels {
+        let style = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(colour(label.ink));
+        let style = match label.paper {
+            Some(paper) => style.background_color(colour(paper)).build(),
+            None => style.build(),
+        };
+        Text::new(label.text, label.at, style).draw(frame)?;
+    }
+    Ok(())
+}

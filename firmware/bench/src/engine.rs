@@ -1,0 +1,78 @@
+//! An engine: what it can draw, as a set of functions over its frame `F`.
+
+use crate::scene::{Format, Ink, Indexed, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
+
+/// Functions that draw workloads into a frame `F`. What is `None` is left out of the table.
+///
+/// A function gets all items of its workload at once, so that the loop over them is compiled
+/// together with the drawing, as it would be in a firmware.
+pub struct Engine<F> {
+    /// As it appears in the table.
+    pub name: &'static str,
+    /// How the frame stores its pixels.
+    pub format: Format,
+    /// The bytes of the frame: blackened before every workload, checksummed after it.
+    pub bytes: fn(&mut F) -> &mut [u8],
+    /// The whole frame.
+    pub clear: Option<fn(&mut F, Ink)>,
+    /// Filled rectangles.
+    pub rects: Option<fn(&mut F, &[Rect])>,
+    /// Rectangles one pixel high.
+    pub rows: Option<fn(&mut F, &[Rect])>,
+    /// Rectangles one pixel wide.
+    pub columns: Option<fn(&mut F, &[Rect])>,
+    /// Lines, both ends drawn.
+    pub lines: Option<fn(&mut F, &[Segment])>,
+    /// Filled triangles.
+    pub triangles: Option<fn(&mut F, &[Triangle])>,
+    /// A filled simple polygon.
+    pub polygon: Option<fn(&mut F, &Outline<'_>)>,
+    /// A picture at several places.
+    pub blit: Option<fn(&mut F, &Sprite<'_>)>,
+    /// The same, leaving out the pixels whose value is 0.
+    pub blit_key: Option<fn(&mut F, &Sprite<'_>)>,
+    /// 8-bit indices through a table of RGB565 colours.
+    pub expand: Option<fn(&mut F, &Indexed<'_>)>,
+    /// Text of embedded-graphics.
+    pub text: Option<fn(&mut F, &[Label<'_>])>,
+}
+
+impl<F> Engine<F> {
+    /// An engine that can draw nothing yet.
+    pub const fn new(name: &'static str, format: Format, bytes: fn(&mut F) -> &mut [u8]) -> Self {
+        Self {
+            name,
+            format,
+            bytes,
+            clear: None,
+            rects: None,
+            rows: None,
+            columns: None,
+            lines: None,
+            triangles: None,
+            polygon: None,
+            blit: None,
+            blit_key: None,
+            expand: None,
+            text: None,
+        }
+    }
+
+    /// Draws a workload, or returns `None` when this engine cannot.
+    pub fn draw(&self, frame: &mut F, work: &Work<'_>) -> Option<()> {
+        match work {
+            Work::Clear(ink) => self.clear?(frame, *ink),
+            Work::Rects(rects) => self.rects?(frame, rects),
+            Work::Rows(rows) => self.rows?(frame, rows),
+            Work::Columns(columns) => self.columns?(frame, columns),
+            Work::Lines(lines) => self.lines?(frame, lines),
+            Work::Triangles(triangles) => self.triangles?(frame, triangles),
+            Work::Polygon(outline) => self.polygon?(frame, outline),
+            Work::Blit(sprite) => self.blit?(frame, sprite),
+            Work::BlitKey(sprite) => self.blit_key?(frame, sprite),
+            Work::Expand(indexed) => self.expand?(frame, indexed),
+            Work::Text(labels) => self.text?(frame, labels),
+        }
+        Some(())
+    }
+}

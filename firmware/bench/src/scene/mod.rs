@@ -1,0 +1,248 @@
+//! The workloads: what is drawn, as data that is the same for every engine and every chip.
+//!
+//! Everything lies inside the frame, so that engines without clipping can take part. Corners are
+//! pixel centres; they are given as pixels and as 24.8 units, because neither kind of engine should
+//! pay for a conversion.
+
+mod lcg;
+mod make;
+mod picture;
+
+use embedded_graphics::geometry::Point;
+use embedded_graphics::primitives::Rectangle;
+
+use lcg::Lcg;
+pub use picture::{Format, Pictures};
+
+/// Pixels in a row of the frame.
+pub const WIDTH: usize = 320;
+/// Rows of the frame.
+pub const HEIGHT: usize = 240;
+
+/// A colour: its low bits are the pixel value in every format. The lowest bit is always set, so that
+/// no ink is the black of an empty frame, nor the colour key.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Ink(pub u16);
+
+/// A place in 24.8: 256 units to a pixel, pixel centres at 128.
+pub type Units = [i32; 2];
+
+/// A filled rectangle; also a run of pixels.
+#[derive(Copy, Clone)]
+pub struct Rect {
+    /// Its pixels.
+    pub area: Rectangle,
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// A line, both ends drawn.
+#[derive(Copy, Clone)]
+pub struct Segment {
+    /// First and last pixel.
+    pub ends: [Point; 2],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// A filled triangle.
+#[derive(Copy, Clone)]
+pub struct Triangle {
+    /// Its corners as pixels.
+    pub px: [Point; 3],
+    /// The same corners.
+    pub units: [Units; 3],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// A filled simple polygon.
+pub struct Outline<'a> {
+    /// Its corners as pixels.
+    pub px: &'a [Point],
+    /// The same corners.
+    pub units: &'a [Units],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// A picture of `Sprite::SIDE` pixels square, at several places.
+pub struct Sprite<'a> {
+    /// Its rows, packed as the frame is; 0 is transparent where a colour key is asked for.
+    pub bytes: &'a [u8],
+    /// Top left corners.
+    pub at: &'a [Point],
+}
+
+impl Sprite<'_> {
+    /// Pixels in a row and rows.
+    pub const SIDE: usize = 64;
+}
+
+/// A whole screen of 8-bit indices.
+pub struct Indexed<'a> {
+    /// `WIDTH` to a row.
+    pub indices: &'a [u8],
+    /// RGB565.
+    pub palette: &'a [u16; 256],
+}
+
+/// A line of text in embedded-graphics' 6 x 10 font.
+#[derive(Copy, Clone)]
+pub struct Label<'a> {
+    /// The text.
+    pub text: &'a str,
+    /// The left end of its baseline.
+    pub at: Point,
+    /// Colour of the letters.
+    pub ink: Ink,
+    /// Colour around the letters, if any.
+    pub paper: Option<Ink>,
+}
+
+/// What an engine is asked to draw.
+pub enum Work<'a> {
+    /// The whole frame in one colour.
+    Clear(Ink),
+    /// Filled rectangles.
+    Rects(&'a [Rect]),
+    /// Rectangles one pixel high.
+    Rows(&'a [Rect]),
+    /// Rectangles one pixel wide.
+    Columns(&'a [Rect]),
+    /// Lines.
+    Lines(&'a [Segment]),
+    /// Filled triangles.
+    Triangles(&'a [Triangle]),
+    /// A filled polygon.
+    Polygon(Outline<'a>),
+    /// A picture.
+    Blit(Sprite<'a>),
+    /// A picture with transparent pixels.
+    BlitKey(Sprite<'a>),
+    /// Indices to colours.
+    Expand(Indexed<'a>),
+    /// Text.
+    Text(&'a [Label<'a>]),
+}
+
+/// A row of the table.
+pub struct Workload<'a> {
+    /// As it appears in the table.
+    pub name: &'static str,
+    /// How many items are drawn.
+    pub calls: usize,
+    /// Pixels that are drawn, every item by itself; areas where edges are slanted. It belongs to the
+    /// workload, so that an engine that draws more or fewer pixels is measured by the same number.
+    pub pixels: u32,
+    /// The data.
+    pub work: Work<'a>,
+}
+
+/// All data that does not depend on the pixel format.
+pub struct Scene {
+    rect: [Rect; 1],
+    rects: [Rect; 256],
+    rows: [Rect; 64],
+    columns: [Rect; 64],
+    long: [Segment; 64],
+    short: [Segment; 256],
+    large: [Triangle; 1],
+    small: [Triangle; 256],
+    slivers: [Triangle; 32],
+    star: ([Point; 10], [Units; 10]),
+    outline: ([Point; 200], [Units; 200]),
+    sprites: [Point; 8],
+    text: [Label<'static>; 16],
+    opaque_text: [Label<'static>; 16],
+}
+
+impl Scene {
+    /// Number of workloads.
+    pub const LEN: usize = 17;
+
+    /// Makes all data, the same each time.
+    pub fn new() -> Self {
+        let random = &mut Lcg::new(0x5EED);
+        Self {
+            rect: [make::rect(random, Point::new(33, 41), 200, 151)],
+            rects: make::rects(random, 8, 8),
+            rows: make::rects(random, 200, 1),
+            columns: make::rects(random, 1, 150),
+            long: make::long_lines(random),
+            short: make::short_lines(random),
+            large: [make::triangle(random, [(30, 20), (290, 70), (114, 190)])],
+            small: make::small_triangles(random),
+            slivers: make::slivers(random),
+            star: make::both(make::star()),
+            outline: make::both(make::outline(random)),
+            sprites: make::odd_places(random),
+            text: make::labels(random, false),
+            opaque_text: make::labels(random, true),
+        }
+    }
+
+    /// All workloads, with pictures of the engine's format.
+    pub fn workloads<'a>(&'a self, pictures: &'a Pictures) -> [Workload<'a>; Self::LEN] {
+        let ink = make::INK;
+        let sprite = || Sprite { bytes: &pictures.sprite, at: &self.sprites };
+        let polygon = |(px, units): (&'a [Point], &'a [Units])| Outline { px, units, ink };
+        let (star, outline) = (&self.star, &self.outline);
+        [
+            ("clear", Work::Clear(ink)),
+            ("rect-200x151", Work::Rects(&self.rect)),
+            ("rects-8x8", Work::Rects(&self.rects)),
+            ("rows-200", Work::Rows(&self.rows)),
+            ("columns-150", Work::Columns(&self.columns)),
+            ("lines-long", Work::Lines(&self.long)),
+            ("lines-12", Work::Lines(&self.short)),
+            ("triangle-20000", Work::Triangles(&self.large)),
+            ("triangles-29", Work::Triangles(&self.small)),
+            ("slivers-200x2", Work::Triangles(&self.slivers)),
+            ("star-10", Work::Polygon(polygon((&star.0, &star.1)))),
+            ("outline-200", Work::Polygon(polygon((&outline.0, &outline.1)))),
+            ("blit-64", Work::Blit(sprite())),
+            ("blit-key-64", Work::BlitKey(sprite())),
+            ("expand-8bit", Work::Expand(pictures.indexed())),
+            ("text", Work::Text(&self.text)),
+            ("text-opaque", Work::Text(&self.opaque_text)),
+        ]
+        .map(|(name, work)| Workload { name, calls: work.calls(), pixels: work.pixels(), work })
+    }
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Work<'_> {
+    /// How many items are drawn.
+    fn calls(&self) -> usize {
+        match self {
+            Self::Clear(_) | Self::Polygon(_) | Self::Expand(_) => 1,
+            Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => rects.len(),
+            Self::Lines(lines) => lines.len(),
+            Self::Triangles(triangles) => triangles.len(),
+            Self::Blit(sprite) | Self::BlitKey(sprite) => sprite.at.len(),
+            Self::Text(labels) => labels.len(),
+        }
+    }
+
+    /// How many pixels are drawn; see [`Workload::pixels`].
+    fn pixels(&self) -> u32 {
+        match self {
+            Self::Clear(_) | Self::Expand(_) => (WIDTH * HEIGHT) as u32,
+            Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => {
+                rects.iter().map(|r| r.area.size.width * r.area.size.height).sum()
+            }
+            Self::Lines(lines) => lines.iter().map(|line| make::length(line.ends)).sum(),
+            Self::Triangles(all) => all.iter().map(|t| make::twice_area(&t.px)).sum::<u32>() / 2,
+            Self::Polygon(outline) => make::twice_area(outline.px) / 2,
+            Self::Blit(sprite) => sprite.at.len() as u32 * picture::PIXELS,
+            Self::BlitKey(sprite) => sprite.at.len() as u32 * picture::opaque_pixels(),
+            Self::Text(labels) => make::text_pixels(labels),
+        }
+    }
+}

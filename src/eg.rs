@@ -1,0 +1,306 @@
+//! embedded-graphics, both ways.
+//!
+//! * A [`Framebuffer`] and [`Paged`] memory are a `DrawTarget` and `GetPixel`: text, images and widgets made for
+//!   embedded-graphics draw into them.
+//! * [`draw_on`] makes a [`Surface`] of any other `DrawTarget`: every shape of this crate draws on it.
+//! * [`Recolored`] is a `DrawTarget` that translates colours on their way: an RGB image into an indexed framebuffer.
+
+use core::{convert::Infallible, marker::PhantomData};
+
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, OriginDimensions, Point, Size},
+    image::GetPixel,
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+    Pixel,
+};
+
+use crate::{
+    pixel::PixelFormat,
+    rect::Rect,
+    span::{ClippedSpan, Span},
+    surface::{Framebuffer, Paged, Surface},
+};
+
+impl<F: PixelFormat> OriginDimensions for Framebuffer<'_, F> {
+    fn size(&self) -> Size {
+        Framebuffer::size(self)
+    }
+}
+
+impl<F: PixelFormat> GetPixel for Framebuffer<'_, F> {
+    type Color = F::Color;
+
+    #[inline]
+    fn pixel(&self, p: Point) -> Option<F::Color> {
+        self.get(p)
+    }
+}
+
+impl<F: PixelFormat> DrawTarget for Framebuffer<'_, F> {
+    type Color = F::Color;
+    type Error = Infallible;
+
+    #[inline]
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<F::Color>>,
+    {
+        pixels.into_iter().for_each(|Pixel(p, color)| self.set(p, color));
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = F::Color>,
+    {
+        let mut colors = colors.into_iter();
+        let window = self.window();
+        for_each_row(area, window, &mut colors, |span, colors| self.write_span(span, colors));
+        Ok(())
+    }
+
+    #[inline]
+    fn fill_solid(&mut self, area: &Rectangle, color: F::Color) -> Result<(), Infallible> {
+        self.fill_area((*area).into(), color);
+        Ok(())
+    }
+
+    #[inline]
+    fn clear(&mut self, color: F::Color) -> Result<(), Infallible> {
+        Framebuffer::clear(self, color);
+        Ok(())
+    }
+}
+
+impl<C: PixelColor + PixelFormat<Color = C>> OriginDimensions for Paged<'_, C> {
+    fn size(&self) -> Size {
+        Paged::size(self)
+    }
+}
+
+impl<C: PixelColor + PixelFormat<Color = C>> GetPixel for Paged<'_, C> {
+    type Color = C;
+
+    #[inline]
+    fn pixel(&self, p: Point) -> Option<C> {
+        self.get(p)
+    }
+}
+
+impl<C: PixelColor + PixelFormat<Color = C>> DrawTarget for Paged<'_, C> {
+    type Color = C;
+    type Error = Infallible;
+
+    #[inline]
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        pixels.into_iter().for_each(|Pixel(p, color)| self.set(p, color));
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let mut colors = colors.into_iter();
+        let window = self.window();
+        for_each_row(area, window, &mut colors, |span, colors| {
+            for (x, color) in (span.x0()..span.x1()).zip(colors) {
+                self.set(Point::new(x, span.y()), color);
+            }
+        });
+        Ok(())
+    }
+
+    #[inline]
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        self.fill_area((*area).into(), color);
+        Ok(())
+    }
+
+    #[inline]
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        Paged::clear(self, color);
+        Ok(())
+    }
+}
+
+/// Splits colours that fill `area` row by row into the spans that lie in `window`, skipping what does not.
+///
+/// Work is that of the visible part: the iterator is told how many to skip in one call, and left alone after the end.
+fn for_each_row<I: Iterator>(
+    area: &Rectangle,
+    window: Rect,
+    colors: &mut I,
+    mut write: impl FnMut(ClippedSpan, &mut I),
+) {
+    let area_rect = Rect::from(*area);
+    let seen = area_rect.intersection(window);
+    if seen.is_empty() {
+        return;
+    }
+    // A width counts in full even where the rectangle is cut off at the end of i32.
+    let width = u64::from(area.size.width);
+    let column = |x: i32| (i64::from(x) - i64::from(area_rect.x0)).unsigned_abs();
+    let (before, shown) = (column(seen.x0), u64::from(seen.width()));
+    let rows_above = (i64::from(seen.y0) - i64::from(area_rect.y0)).unsigned_abs();
+    let mut skip = rows_above * width + before;
+    for y in seen.y0..seen.y1 {
+        if !advance(colors, skip) {
+            return;
+        }
+        if let Some(span) = (Span { y, x0: seen.x0, x1: seen.x1 }).clip(seen) {
+            write(span, colors);
+        }
+        skip = width - shown;
+    }
+}
+
+/// Drops `n` items; false if there are none left before that.
+fn advance(items: &mut impl Iterator, n: u64) -> bool {
+    let mut left = n;
+    while let Some(last) = left.checked_sub(1) {
+        let step = usize::try_from(last).unwrap_or(usize::MAX);
+        if items.nth(step).is_none() {
+            return false;
+        }
+        left = last - step as u64;
+    }
+    true
+}
+
+/// Draws with this crate's shapes on any embedded-graphics target; each span becomes a `fill_solid` of one row.
+///
+/// # Errors
+/// The first error of the target. Nothing is sent to the target after it.
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use embedded_raster::{eg::draw_on, Canvas, Vertex};
+/// let mut display = MockDisplay::new();
+/// draw_on(&mut display, |canvas| {
+///     canvas.fill_triangle([Vertex::px(0, 0), Vertex::px(4, 0), Vertex::px(0, 4)], BinaryColor::On);
+/// })?;
+/// display.assert_pattern(&["###", "##", "#"]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+pub fn draw_on<D: DrawTarget, R>(target: &mut D, draw: impl FnOnce(&mut Target<'_, D>) -> R) -> Result<R, D::Error> {
+    let window = target.bounding_box().into();
+    let mut surface = Target { display: target, window, error: None };
+    let result = draw(&mut surface);
+    match surface.error {
+        Some(error) => Err(error),
+        None => Ok(result),
+    }
+}
+
+/// A `DrawTarget` as a [`Surface`]: made by [`draw_on`].
+#[derive(Debug)]
+pub struct Target<'a, D: DrawTarget> {
+    display: &'a mut D,
+    window: Rect,
+    error: Option<D::Error>,
+}
+
+impl<D: DrawTarget> Target<'_, D> {
+    fn send(&mut self, area: Rect, color: D::Color) {
+        if self.error.is_none() {
+            self.error = self.display.fill_solid(&area.into(), color).err();
+        }
+    }
+}
+
+impl<D: DrawTarget> Surface for Target<'_, D> {
+    type Color = D::Color;
+
+    /// Nothing any more after an error.
+    #[inline]
+    fn window(&self) -> Rect {
+        if self.error.is_none() {
+            self.window
+        } else {
+            Rect::default()
+        }
+    }
+
+    #[inline]
+    fn fill_span(&mut self, span: ClippedSpan, color: D::Color) {
+        self.send(Rect::new(span.x0(), span.y(), span.x1(), span.y().saturating_add(1)), color);
+    }
+
+    fn fill_area(&mut self, area: Rect, color: D::Color) {
+        let area = area.intersection(self.window());
+        if !area.is_empty() {
+            self.send(area, color);
+        }
+    }
+}
+
+/// A `DrawTarget` of colours `C` that draws on a target of other colours: see [`recolored`].
+#[derive(Debug)]
+pub struct Recolored<'a, D, C, M> {
+    target: &'a mut D,
+    convert: M,
+    color: PhantomData<C>,
+}
+
+/// A target for colours `C` that paints what `convert` makes of them on `target`: an RGB image through the nearest
+/// entries of a palette, say.
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use embedded_raster::{eg::recolored, pixel::EGA, Framebuffer, Index4};
+/// let mut ram = [0; 4];
+/// let mut frame = Framebuffer::<Index4>::new(&mut ram, 8, 1).unwrap();
+/// recolored(&mut frame, |c: Rgb888| Index4::new(EGA.nearest(c))).clear(Rgb888::WHITE).unwrap();
+/// assert_eq!(ram, [0xff; 4]);
+/// ```
+pub fn recolored<D, C, M>(target: &mut D, convert: M) -> Recolored<'_, D, C, M>
+where
+    D: DrawTarget,
+    C: PixelColor,
+    M: Fn(C) -> D::Color,
+{
+    Recolored { target, convert, color: PhantomData }
+}
+
+impl<D: Dimensions, C, M> Dimensions for Recolored<'_, D, C, M> {
+    fn bounding_box(&self) -> Rectangle {
+        self.target.bounding_box()
+    }
+}
+
+impl<D, C, M> DrawTarget for Recolored<'_, D, C, M>
+where
+    D: DrawTarget,
+    C: PixelColor,
+    M: Fn(C) -> D::Color,
+{
+    type Color = C;
+    type Error = D::Error;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), D::Error>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        let convert = &self.convert;
+        self.target.draw_iter(pixels.into_iter().map(|Pixel(p, color)| Pixel(p, convert(color))))
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), D::Error>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        self.target.fill_contiguous(area, colors.into_iter().map(&self.convert))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), D::Error> {
+        self.target.fill_solid(area, (self.convert)(color))
+    }
+
+    fn clear(&mut self, color: C) -> Result<(), D::Error> {
+        self.target.clear((self.convert)(color))
+    }
+}

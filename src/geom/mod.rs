@@ -1,0 +1,17 @@
+//! Shapes as numbers.
+//!
+//! ```text
+//!      0   1   2   3   x        pixel (x, y) is the square [x, x+1) x [y, y+1)
+//!    0 +---+---+---+---          its centre is (x + 1/2, y + 1/2)
+//!      | . | . | . |             y points down
+//!    1 +---+---+---+---
+//!      | . | . | o |   a Point names a square: o is Point::new(2, 1)
+//!    2 +---*---+---+---
+//!      | . | . | . |   a Vertex names a place: * is Vertex::px(1, 2), a corner of four squares
+//!    y
+//! ```
+
+mod vertex;
+
+pub(crate) use vertex::bits;
+pub use vertex::Vertex;

@@ -1,0 +1,25 @@
+#![doc = include_str!("../README.md")]
+#![no_std]
+
+#[cfg(test)]
+extern crate std;
+
+mod canvas;
+pub mod eg;
+mod error;
+pub mod geom;
+mod num;
+pub mod pixel;
+pub mod raster;
+mod rect;
+mod span;
+pub mod surface;
+
+pub use canvas::Canvas;
+pub use error::Error;
+pub use geom::Vertex;
+pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
+pub use raster::{Edge, FillRule};
+pub use rect::Rect;
+pub use span::{ClippedSpan, Span, Steps};
+pub use surface::{Bitmap, Framebuffer, Surface};

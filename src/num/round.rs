@@ -1,0 +1,146 @@
+//! Divisions that say how they round, without a panic path and without the compiler's 64-bit division.
+
+use core::{cmp::Ordering, num::NonZeroU32};
+
+use super::cast::{low_u32, magnitude, signed, unsigned};
+
+/// Quotient rounded down and remainder in `0..d`.
+#[inline(always)]
+pub(crate) fn floor_div_rem(n: i32, d: NonZeroU32) -> (i32, u32) {
+    // Of a negative n its complement -1 - n is divided: floor(n / d) = -1 - floor((-1 - n) / d).
+    let sign = n >> 31;
+    let m = unsigned(n ^ sign);
+    let (q, r) = (m / d, m % d);
+    (signed(q) ^ sign, if sign < 0 { d.get().wrapping_sub(1).wrapping_sub(r) } else { r })
+}
+
+/// Quotient and remainder of a wide number whose quotient fits 32 bits: `n < 2^32 d`.
+///
+/// One 32-bit division when `n` is small, else 32 steps of long division: shapes many thousand pixels wide pay for it,
+/// others do not, and no image links the 64-bit division of the runtime library.
+#[inline]
+pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
+    if n >> 32 == 0 {
+        let n = low_u32(n);
+        return (n / d, n % d);
+    }
+    long_division(n, d.get())
+}
+
+#[inline(never)]
+fn long_division(n: u64, d: u32) -> (u32, u32) {
+    let (mut rest, mut low) = (low_u32(n >> 32), low_u32(n));
+    for _ in 0..32 {
+        // (rest, low) shifts left by one; the quotient grows in the places that `low` leaves.
+        let carry = rest >> 31;
+        rest = rest << 1 | low >> 31;
+        low <<= 1;
+        if carry != 0 || rest >= d {
+            rest = rest.wrapping_sub(d);
+            low |= 1;
+        }
+    }
+    (low, rest)
+}
+
+/// Quotient rounded down and remainder in `0..d`, for `|n| < 2^31 d`.
+#[inline]
+pub(crate) fn floor_div_rem_wide(n: i64, d: NonZeroU32) -> (i32, u32) {
+    let sign = n >> 63;
+    let (q, r) = div_rem_wide(magnitude(n ^ sign), d);
+    if sign < 0 {
+        (!signed(q), d.get().wrapping_sub(1).wrapping_sub(r))
+    } else {
+        (signed(q), r)
+    }
+}
+
+/// `ceil((a * m - h) / b)` for `m <= b`, `h < a`, `1 <= b`: the quotient fits 32 bits as `m / b <= 1`.
+#[inline]
+pub(crate) fn ceil_ratio(a: u32, m: u32, h: u32, b: NonZeroU32) -> u32 {
+    let n = (u64::from(a) * u64::from(m)).wrapping_sub(u64::from(h));
+    let (q, r) = div_rem_wide(n, b);
+    q.wrapping_add(u32::from(r != 0))
+}
+
+/// `n >> 8` after adding one half pixel, without overflow: the first pixel whose centre lies *right of* `n` 24.8 units.
+#[inline(always)]
+pub(crate) fn first_centre_after(n: i32) -> i32 {
+    (n >> 8) + (((n & 255) + 128) >> 8)
+}
+
+/// The first pixel whose centre lies at or right of (or below) `n` 24.8 units: `ceil((n - 128) / 256)`.
+#[inline(always)]
+pub(crate) fn first_centre_from(n: i32) -> i32 {
+    (n >> 8) + (((n & 255) + 127) >> 8)
+}
+
+/// `a - b` for any two numbers.
+#[inline(always)]
+pub(crate) fn difference(a: i32, b: i32) -> i64 {
+    i64::from(a) - i64::from(b)
+}
+
+/// Compares `a * b` with `c * d`, exactly, for factors of up to 32 bits and a sign.
+#[inline]
+pub(crate) fn compare_products((a, b): (i64, i64), (c, d): (i64, i64)) -> Ordering {
+    // A sign and a magnitude below 2^64 each.
+    let product = |a: i64, b: i64| (a.signum() * b.signum(), a.unsigned_abs().wrapping_mul(b.unsigned_abs()));
+    let ((left_sign, left), (right_sign, right)) = (product(a, b), product(c, d));
+    match left_sign.cmp(&right_sign) {
+        Ordering::Equal if left_sign < 0 => right.cmp(&left),
+        Ordering::Equal => left.cmp(&right),
+        unequal => unequal,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ENDS: [i64; 14] = [0, 1, 2, 3, 127, 128, 129, 255, 256, 65535, 65536, 0x7fff_fffe, 0x7fff_ffff, 0xffff_ffff];
+
+    fn divisors() -> impl Iterator<Item = NonZeroU32> {
+        ENDS.iter().filter_map(|&d| NonZeroU32::new(u32::try_from(d).unwrap()))
+    }
+
+    #[test]
+    fn division_rounds_down_at_the_ends() {
+        for n in ENDS.iter().flat_map(|&n| [n, -n, -n - 1]) {
+            for d in divisors() {
+                let d64 = i64::from(d.get());
+                let rule = (n.div_euclid(d64), n.rem_euclid(d64));
+                if let Ok(n) = i32::try_from(n) {
+                    let (q, r) = floor_div_rem(n, d);
+                    assert_eq!((i64::from(q), i64::from(r)), rule, "{n} / {d}");
+                }
+                if rule.0 == i64::from(rule.0 as i32) {
+                    let (q, r) = floor_div_rem_wide(n, d);
+                    assert_eq!((i64::from(q), i64::from(r)), rule, "{n} / {d}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn wide_division_is_exact_up_to_the_last_quotient() {
+        for d in divisors() {
+            let d64 = u64::from(d.get());
+            for q in ENDS.map(i64::unsigned_abs) {
+                for r in [0, 1, d64 / 2, d64 - 1].into_iter().filter(|&r| r < d64) {
+                    let (got, rest) = div_rem_wide(q * d64 + r, d);
+                    assert_eq!((u64::from(got), u64::from(rest)), (q, r), "divisor {d}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn centres() {
+        for n in (-1000..1000).chain([i32::MIN, i32::MIN + 1, i32::MAX - 1, i32::MAX]) {
+            let wide = i64::from(n);
+            assert_eq!(i64::from(first_centre_after(n)), (wide + 128).div_euclid(256), "after {n}");
+            assert_eq!(i64::from(first_centre_from(n)), (wide + 127).div_euclid(256), "from {n}");
+        }
+    }
+}

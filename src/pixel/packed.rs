@@ -1,0 +1,154 @@
+//! 1, 2 and 4 bits per pixel: several pixels to a byte.
+//! ```text
+//!     Msb0   bit 7 .. 0        Lsb0   bit 7 .. 0
+//!     4 bits    [0 ][1 ]              [1 ][0 ]        [n]: pixel n of the byte
+//!     1 bit     [01234567]            [76543210]
+//! ```
+//! A run of pixels is a byte of which the run owns the end, whole bytes, and a byte of which it owns the start: masked
+//! ends and a plain middle.
+
+use super::{word, PixelFormat};
+use crate::num::cast::low_u8;
+
+/// Pixels of a byte, less one: 7, 3, 1.
+const fn last_in_byte<F: PixelFormat>() -> usize {
+    (8 / F::BITS - 1) as usize
+}
+
+/// log2 of the pixels of a byte: 3, 2, 1.
+const fn byte_shift<F: PixelFormat>() -> u32 {
+    (8 / F::BITS).trailing_zeros()
+}
+
+/// How far the bits of pixel `x` stand above bit 0 of their byte.
+#[inline(always)]
+fn shift<F: PixelFormat>(x: usize) -> u32 {
+    if F::LSB0 {
+        in_byte::<F>(x)
+    } else {
+        8 - F::BITS - in_byte::<F>(x)
+    }
+}
+
+/// Bits of the pixels before `x` in its byte.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "at most 7")]
+fn in_byte<F: PixelFormat>(x: usize) -> u32 {
+    (x & last_in_byte::<F>()) as u32 * F::BITS
+}
+
+/// The bits of one pixel at bit 0.
+const fn mask<F: PixelFormat>() -> u8 {
+    0xff >> (8 - F::BITS)
+}
+
+/// A byte full of one pixel.
+#[inline(always)]
+pub(crate) fn repeat<F: PixelFormat>(bits: u32) -> u8 {
+    low_u8(bits.wrapping_mul(0xff / ((1 << F::BITS) - 1)))
+}
+
+/// The bits of the pixels from `x` on in its byte.
+#[inline(always)]
+fn from_mask<F: PixelFormat>(x: usize) -> u8 {
+    if F::LSB0 {
+        0xff << in_byte::<F>(x)
+    } else {
+        0xff >> in_byte::<F>(x)
+    }
+}
+
+/// The bits of the pixels up to `x` in its byte.
+#[inline(always)]
+fn to_mask<F: PixelFormat>(x: usize) -> u8 {
+    let after = 8 - F::BITS - in_byte::<F>(x);
+    if F::LSB0 {
+        0xff >> after
+    } else {
+        0xff << after
+    }
+}
+
+/// Puts the masked bits of `new` in place of those of `old`.
+#[inline(always)]
+pub(crate) fn merge(old: u8, new: u8, mask: u8) -> u8 {
+    old ^ ((old ^ new) & mask)
+}
+
+/// Pixel `x` of a byte, for 8 bits too.
+#[inline(always)]
+pub(super) fn nth<F: PixelFormat>(byte: u8, x: usize) -> u32 {
+    u32::from(byte >> shift::<F>(x) & mask::<F>())
+}
+
+#[inline(always)]
+pub(super) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1: usize, bits: u32) {
+    let byte = repeat::<F>(bits);
+    let last = x1.wrapping_sub(1);
+    let bytes = row.wrapping_add(x0 >> byte_shift::<F>())..=row.wrapping_add(last >> byte_shift::<F>());
+    let head_mask = from_mask::<F>(x0);
+    let tail_mask = to_mask::<F>(last);
+    match memory.get_mut(bytes) {
+        Some([only]) => *only = merge(*only, byte, head_mask & tail_mask),
+        Some([head, middle @ .., tail]) => {
+            *head = merge(*head, byte, head_mask);
+            word::fill_bytes(middle, byte);
+            *tail = merge(*tail, byte, tail_mask);
+        }
+        _ => {}
+    }
+}
+
+#[inline(always)]
+pub(super) fn set<F: PixelFormat>(memory: &mut [u8], row: usize, x: usize, bits: u32) {
+    if let Some(byte) = memory.get_mut(row.wrapping_add(x >> byte_shift::<F>())) {
+        *byte = merge(*byte, low_u8(bits << shift::<F>(x)), mask::<F>() << shift::<F>(x));
+    }
+}
+
+#[inline(always)]
+pub(super) fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
+    let byte = memory.get(row.wrapping_add(x >> byte_shift::<F>())).copied().unwrap_or(0);
+    nth::<F>(byte, x)
+}
+
+/// Copies pixels. Where their places in the bytes differ, every byte is put together from two of the source.
+#[inline(always)]
+pub(super) fn copy<F: PixelFormat>(
+    to: &mut [u8],
+    (to_row, to_x): (usize, usize),
+    from: &[u8],
+    (from_row, from_x): (usize, usize),
+    n: usize,
+) {
+    let last = to_x.wrapping_add(n).wrapping_sub(1);
+    let bytes = to_row.wrapping_add(to_x >> byte_shift::<F>())..=to_row.wrapping_add(last >> byte_shift::<F>());
+    let Some(run) = to.get_mut(bytes) else { return };
+    // The pixel of the source for the first place of the first byte. It may lie up to a byte before the row: one byte is
+    // added here and taken off below, and a byte that is not there reads as 0 and is masked out.
+    let aligned = from_x.wrapping_add(8 / F::BITS as usize).wrapping_sub(to_x & last_in_byte::<F>());
+    let mut at = from_row.wrapping_add(aligned >> byte_shift::<F>()).wrapping_sub(1);
+    let skip = in_byte::<F>(aligned);
+    let mut current = from.get(at).copied().unwrap_or(0);
+    let mut shifted = || {
+        at = at.wrapping_add(1);
+        let next = from.get(at).copied().unwrap_or(0);
+        let (first, second) = (u32::from(current), u32::from(next));
+        current = next;
+        // With skip = 0 the second byte is shifted out.
+        low_u8(if F::LSB0 { (second << 8 | first) >> skip } else { (first << 8 | second) << skip >> 8 })
+    };
+    let head_mask = from_mask::<F>(to_x);
+    let tail_mask = to_mask::<F>(last);
+    match run {
+        [only] => *only = merge(*only, shifted(), head_mask & tail_mask),
+        [head, middle @ .., tail] => {
+            *head = merge(*head, shifted(), head_mask);
+            for byte in middle {
+                *byte = shifted();
+            }
+            *tail = merge(*tail, shifted(), tail_mask);
+        }
+        [] => {}
+    }
+}

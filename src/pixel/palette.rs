@@ -1,0 +1,232 @@
+//! [`Palette`]: colour tables (CLUT).
+
+use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
+
+use super::{color::rescale, PixelFormat, Rgb332};
+use crate::num::cast::{low_u16, low_u32, low_u8};
+
+/// A table of `N` colours that indices are shown through.
+///
+/// Changing an entry changes every pixel that has its index the next time they are shown, without touching one of them:
+/// that is what palette animation is.
+/// ```
+/// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
+/// use embedded_raster::{pixel::EGA, Palette};
+/// let mut palette: Palette<Rgb565, 16> = EGA.map(Rgb565::from);
+/// assert_eq!(palette.get(4), Some(Rgb565::from(Rgb888::new(170, 0, 0))));
+/// palette.set(4, Rgb565::RED);
+/// palette.rotate(1..5, 1); // entry 4 moves to the front of the range
+/// assert_eq!(palette.get(1), Some(Rgb565::RED));
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Palette<C, const N: usize> {
+    colors: [C; N],
+}
+
+impl<C: Copy, const N: usize> Palette<C, N> {
+    /// A table of these colours.
+    #[inline]
+    pub const fn new(colors: [C; N]) -> Self {
+        Self { colors }
+    }
+
+    /// The colours, for reading back.
+    #[inline]
+    pub const fn colors(&self) -> &[C; N] {
+        &self.colors
+    }
+
+    /// The colour of an index; `None` beyond the table.
+    #[inline]
+    pub fn get(&self, index: u8) -> Option<C> {
+        self.colors.get(usize::from(index)).copied()
+    }
+
+    /// Changes the colour of an index. Says whether the table has that index.
+    #[inline]
+    pub fn set(&mut self, index: u8, color: C) -> bool {
+        self.colors.get_mut(usize::from(index)).map(|entry| *entry = color).is_some()
+    }
+
+    /// Moves the colours of a range of indices up by `by` places, those at its end to its start: colour cycling. Indices
+    /// beyond the table are left out.
+    pub fn rotate(&mut self, range: core::ops::Range<usize>, by: usize) {
+        let end = range.end.min(N);
+        let Some(colors) = self.colors.get_mut(range.start.min(end)..end) else { return };
+        let Some(by) = by.checked_rem(colors.len()) else { return };
+        // Three reversals: a rotation without a table of its own.
+        colors.reverse();
+        if let Some((front, back)) = colors.split_at_mut_checked(by) {
+            front.reverse();
+            back.reverse();
+        }
+    }
+
+    /// The same table in another colour type.
+    #[inline]
+    pub fn map<D: Copy>(&self, convert: impl FnMut(C) -> D) -> Palette<D, N> {
+        Palette { colors: self.colors.map(convert) }
+    }
+}
+
+impl<C: PixelColor, const N: usize> Palette<C, N> {
+    /// Writes the colours of a row of indices as pixels of format `O`: what flushing an indexed framebuffer to a true-colour
+    /// display does all day.
+    ///
+    /// * `indices`: pixels of the format `I`, the first one at the first byte.
+    /// * `out`: the pixels to write. As many are written as both have room for.
+    ///
+    /// An index beyond the table is shown as the first colour.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+    /// use embedded_raster::{pixel::{Be, EGA}, Index4};
+    /// let palette = EGA.map(Rgb565::from);
+    /// let mut line = [0; 4 * 2];
+    /// palette.expand::<Index4, Be<Rgb565>>(&[0x04, 0x2f], &mut line);
+    /// assert_eq!(line, [0, 0, 0xa8, 0, 0x05, 0x40, 0xff, 0xff]);
+    /// ```
+    #[inline]
+    pub fn expand<I: PixelFormat, O: PixelFormat<Color = C>>(&self, indices: &[u8], out: &mut [u8]) {
+        let first = self.colors.first().copied();
+        let color = |index: u8| self.colors.get(usize::from(index)).copied().or(first).map_or(0, O::pack);
+        match O::BITS {
+            8 => expand::<I, 1>(indices, out, |index| [low_u8(color(index))]),
+            16 => expand::<I, 2>(indices, out, |index| low_u16(color(index)).to_le_bytes()),
+            24 => expand::<I, 3>(indices, out, |index| {
+                let [a, b, c, _] = color(index).to_le_bytes();
+                [a, b, c]
+            }),
+            32 => expand::<I, 4>(indices, out, |index| color(index).to_le_bytes()),
+            _ => {
+                let pixels = (indices.len() * 8 / I::BITS as usize).min(out.len() * 8 / O::BITS as usize);
+                for x in 0..pixels {
+                    let index = low_u8(super::get::<I>(indices, 0, x));
+                    super::set::<O>(out, 0, x, color(index));
+                }
+            }
+        }
+    }
+}
+
+/// Pixels of `N` bytes each, out of 1, 2, 4 or 8-bit indices.
+#[inline(always)]
+fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
+    let per_byte = (8 / I::BITS) as usize;
+    let index = |byte: u8, i: usize| low_u8(super::packed::nth::<I>(byte, i));
+    let mut groups = out.chunks_exact_mut(N * per_byte);
+    let mut bytes = indices.iter();
+    for (group, &byte) in (&mut groups).zip(&mut bytes) {
+        for (i, place) in group.chunks_exact_mut(N).enumerate() {
+            place.copy_from_slice(&pixel(index(byte, i)));
+        }
+    }
+    // A row may end within a byte.
+    if let Some(&byte) = bytes.next() {
+        for (i, place) in groups.into_remainder().chunks_exact_mut(N).enumerate() {
+            place.copy_from_slice(&pixel(index(byte, i)));
+        }
+    }
+}
+
+impl<C: RgbColor, const N: usize> Palette<C, N> {
+    /// The index of the entry nearest to a colour: least sum of squared channel differences, the first one at a tie.
+    /// Channels are compared in units of their own type. 0 for an empty table.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Rgb888;
+    /// use embedded_raster::pixel::EGA;
+    /// assert_eq!(EGA.nearest(Rgb888::new(250, 90, 80)), 12); // light red
+    /// ```
+    pub fn nearest(&self, color: C) -> u8 {
+        nearest(self.colors.iter().copied(), color)
+    }
+}
+
+/// The place of the nearest of at most 256 colours.
+pub(super) fn nearest<C: RgbColor>(colors: impl Iterator<Item = C>, wanted: C) -> u8 {
+    let square = |a: u8, b: u8| {
+        let d = u32::from(a.abs_diff(b));
+        d * d
+    };
+    let (mut best, mut least) = (0, u32::MAX);
+    for (i, c) in (0..=u8::MAX).zip(colors) {
+        let distance = square(c.r(), wanted.r()) + square(c.g(), wanted.g()) + square(c.b(), wanted.b());
+        if distance < least {
+            (best, least) = (i, distance);
+        }
+    }
+    best
+}
+
+impl<const N: usize> Palette<Rgb888, N> {
+    /// Greys from black to white in even steps.
+    pub const fn greys() -> Self {
+        let mut colors = [Rgb888::BLACK; N];
+        let mut i = 0;
+        while i < N {
+            let last = if N > 1 { N - 1 } else { 1 };
+            #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
+            let grey = ((2 * i * 255 + last) / (2 * last)) as u8;
+            colors[i] = Rgb888::new(grey, grey, grey);
+            i += 1;
+        }
+        Self { colors }
+    }
+}
+
+impl Palette<Rgb888, 256> {
+    /// Every RGB332 colour at the index that has its bits.
+    pub fn rgb332() -> Self {
+        let mut index = 0;
+        Self {
+            colors: [(); 256].map(|()| {
+                let color = Rgb332::from(RawU8::new(index)).into();
+                index = index.wrapping_add(1);
+                color
+            }),
+        }
+    }
+}
+
+impl Palette<Rgb888, 216> {
+    /// The web-safe colours: six levels a channel, index `36 r + 6 g + b`.
+    pub const fn web_safe() -> Self {
+        let mut colors = [Rgb888::BLACK; 216];
+        let mut i = 0;
+        while i < 216 {
+            let n = low_u32(i as u64);
+            colors[i] = Rgb888::new(
+                rescale(low_u8(n / 36), 5, 255),
+                rescale(low_u8(n / 6 % 6), 5, 255),
+                rescale(low_u8(n % 6), 5, 255),
+            );
+            i += 1;
+        }
+        Self { colors }
+    }
+}
+
+pub(super) const EGA_RGB: [Rgb888; 16] = {
+    let mut colors = [Rgb888::BLACK; 16];
+    let mut i = 0;
+    while i < 16 {
+        // Bits of an index: intensity, red, green, blue. Intensity adds a third to each channel.
+        let third = if i & 8 != 0 { 85 } else { 0 };
+        let r = if i & 4 != 0 { 170 + third } else { third };
+        // The one exception: dark yellow is shown as brown, with half its green.
+        let g = if i == 6 {
+            85
+        } else if i & 2 != 0 {
+            170 + third
+        } else {
+            third
+        };
+        let b = if i & 1 != 0 { 170 + third } else { third };
+        colors[i] = Rgb888::new(r, g, b);
+        i += 1;
+    }
+    colors
+};
+
+/// The sixteen colours of the IBM Enhanced Graphics Adapter (1984): black, blue, green, cyan, red, magenta, brown, light
+/// grey, and the bright ones.
+pub const EGA: Palette<Rgb888, 16> = Palette::new(EGA_RGB);

@@ -1,0 +1,24 @@
+//! Geometry to spans.
+//!
+//! **Fills.** A pixel belongs to a shape when its centre lies inside. A centre exactly on an edge counts as if it stood a
+//! little to the right and, much less, down: at (+e, +e^2). For triangles that is the *top-left rule*; for polygons it
+//! reads: an edge from `y0` to `y1` crosses the rows with `y0 <= cy < y1`, and of a row the pixels with `x0 <= cx < x1`
+//! are drawn. So shapes that share an edge draw every pixel along it exactly once.
+//!
+//! **Fill rules.** Walking along a row, [`NonZero`](FillRule::NonZero) adds 1 at an edge that goes down and takes 1 at one
+//! that goes up, and draws where the sum is not 0; [`EvenOdd`](FillRule::EvenOdd) draws where the count of edges is odd.
+//!
+//! **Lines** join two *pixels* and draw both: see [`line`].
+//!
+//! Every function takes the window that may be drawn and emits what lies in it, top row first (lines: first pixel
+//! first). Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
+
+pub mod line;
+pub mod polygon;
+pub mod rectangle;
+pub mod triangle;
+
+mod edge;
+
+pub use edge::Edge;
+pub use polygon::FillRule;

@@ -1,0 +1,218 @@
+//! Surface to surface: [`Bitmap`] and the blits of a [`Framebuffer`].
+
+use core::marker::PhantomData;
+
+use embedded_graphics_core::geometry::{Point, Size};
+
+use super::{
+    framebuffer::{check, Framebuffer},
+    Surface,
+};
+use crate::{
+    error::Error,
+    num::cast::{index, narrow},
+    pixel::{self, row_bytes, PixelFormat},
+    rect::Rect,
+};
+
+/// Pixels to read: a picture in flash, or a framebuffer that is not being drawn to.
+/// ```
+/// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+/// use embedded_raster::{surface::Bitmap, Framebuffer};
+/// static PICTURE: [u8; 6] = [1, 2, 3, 4, 5, 6];
+/// let picture = Bitmap::<Gray8>::new(&PICTURE, 3, 2)?;
+/// let mut ram = [0; 4 * 2];
+/// Framebuffer::<Gray8>::new(&mut ram, 4, 2)?.blit(Point::new(2, 0), &picture);
+/// assert_eq!(ram, [0, 0, 1, 2, 0, 0, 4, 5]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Bitmap<'a, F> {
+    memory: &'a [u8],
+    stride: usize,
+    window: Rect,
+    row: i32,
+    column: i32,
+    format: PhantomData<F>,
+}
+
+impl<F> Copy for Bitmap<'_, F> {}
+
+impl<F> Clone for Bitmap<'_, F> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<'a, F: PixelFormat> Bitmap<'a, F> {
+    /// A picture of `width` x `height` pixels without gaps between the rows.
+    ///
+    /// # Errors
+    /// [`Error::BufferTooSmall`].
+    pub fn new(memory: &'a [u8], width: u16, height: u16) -> Result<Self, Error> {
+        Self::with_stride(memory, width, height, row_bytes::<F>(width))
+    }
+
+    /// A picture whose rows are `stride` bytes apart.
+    ///
+    /// # Errors
+    /// [`Error::StrideTooSmall`], [`Error::BufferTooSmall`].
+    pub fn with_stride(memory: &'a [u8], width: u16, height: u16, stride: usize) -> Result<Self, Error> {
+        check::<F>(memory.len(), width, height, stride)?;
+        Ok(Self::of_memory(memory, stride, Rect::new(0, 0, width.into(), height.into()), 0, 0))
+    }
+
+    #[inline]
+    pub(super) const fn of_memory(memory: &'a [u8], stride: usize, window: Rect, row: i32, column: i32) -> Self {
+        Self { memory, stride, window, row, column, format: PhantomData }
+    }
+
+    /// The part of it in `area`; what lies outside of it is left out. Coordinates stay as they are.
+    #[inline]
+    #[must_use]
+    pub fn part(&self, area: Rect) -> Self {
+        Self { window: self.window.intersection(area), ..*self }
+    }
+
+    /// The pixels that it has.
+    #[inline]
+    pub const fn window(&self) -> Rect {
+        self.window
+    }
+
+    /// Columns and rows that it has.
+    #[inline]
+    pub fn size(&self) -> Size {
+        Size::new(self.window.width(), self.window.height())
+    }
+
+    /// The colour of a pixel; `None` if it lies outside.
+    #[inline]
+    pub fn get(&self, p: Point) -> Option<F::Color> {
+        self.window
+            .contains(p.x, p.y)
+            .then(|| F::unpack(pixel::get::<F>(self.memory, self.row_start(p.y), self.x(p.x))))
+    }
+
+    /// The bytes of the pixels in `area`, row by row, widened to whole bytes. What lies outside is left out.
+    pub fn bytes(&self, area: Rect) -> impl Iterator<Item = &'a [u8]> + 'a {
+        let this = *self;
+        let area = this.window.intersection(area);
+        let byte = move |x: i32| this.x(x).wrapping_mul(F::BITS as usize);
+        let rows = if area.is_empty() { 0..0 } else { area.y0..area.y1 };
+        rows.map(move |y| {
+            let row = this.row_start(y);
+            let (start, end) = (byte(area.x0) / 8, byte(area.x1).div_ceil(8));
+            this.memory.get(row.wrapping_add(start)..row.wrapping_add(end)).unwrap_or_default()
+        })
+    }
+
+    #[inline(always)]
+    fn row_start(&self, y: i32) -> usize {
+        index(y.wrapping_add(self.row)).wrapping_mul(self.stride)
+    }
+
+    #[inline(always)]
+    fn x(&self, x: i32) -> usize {
+        index(x.wrapping_add(self.column))
+    }
+}
+
+/// Copying pixels in. Source and target may be views at any pixel: sub-byte formats are shifted as they are copied.
+impl<F: PixelFormat> Framebuffer<'_, F> {
+    /// Copies a bitmap so that its top left pixel falls on `at`. What lies outside is clipped.
+    pub fn blit(&mut self, at: Point, source: &Bitmap<'_, F>) {
+        let Some(Plan { target, from }) = Plan::new(self.window(), at, source.window) else { return };
+        for (y, from_y) in (target.y0..target.y1).zip(from.y0..from.y1) {
+            let (to, x) = (self.row_start(y), self.x(target.x0));
+            let (row, from_x) = (source.row_start(from_y), source.x(from.x0));
+            pixel::copy::<F>(self.memory(), (to, x), source.memory, (row, from_x), index(target.x1 - target.x0));
+        }
+    }
+
+    /// The same, but pixels of the colour `key` are transparent.
+    pub fn blit_keyed(&mut self, at: Point, source: &Bitmap<'_, F>, key: F::Color) {
+        let Some(Plan { target, from }) = Plan::new(self.window(), at, source.window) else { return };
+        let key = F::pack(key);
+        for (y, from_y) in (target.y0..target.y1).zip(from.y0..from.y1) {
+            let (to, x) = (self.row_start(y), self.x(target.x0));
+            let (row, from_x) = (source.row_start(from_y), source.x(from.x0));
+            let pixels = index(target.x1 - target.x0);
+            pixel::copy_keyed::<F>(self.memory(), (to, x), source.memory, (row, from_x), pixels, key);
+        }
+    }
+
+    /// Moves the pixels of `area` so that its top left one falls on `to`; both may overlap. What the area leaves keeps its
+    /// colours, what lies outside before or after is left out: scrolling by one row is `move_area(whole, (0, -1))`.
+    pub fn move_area(&mut self, area: Rect, to: Point) {
+        self.move_chunks(area, to, |memory, to, chunk, pixels| {
+            pixel::copy::<F>(memory, to, chunk, (0, 0), pixels);
+        });
+    }
+
+    /// The same, but pixels of the colour `key` are not copied.
+    pub fn move_area_keyed(&mut self, area: Rect, to: Point, key: F::Color) {
+        let key = F::pack(key);
+        self.move_chunks(area, to, |memory, to, chunk, pixels| {
+            pixel::copy_keyed::<F>(memory, to, chunk, (0, 0), pixels, key);
+        });
+    }
+
+    /// Takes the pixels of an area up in small chunks and puts each down with `put`, in an order in which none is painted
+    /// over before it was taken up.
+    fn move_chunks(&mut self, area: Rect, to: Point, put: impl Fn(&mut [u8], (usize, usize), &[u8], usize)) {
+        /// Divisible by the bytes of every format.
+        const CHUNK: usize = 48;
+        let pixels = CHUNK * 8 / F::BITS as usize;
+        let seen = area.intersection(self.window());
+        let at = Point::new(
+            to.x.saturating_add(seen.x0.saturating_sub(area.x0)),
+            to.y.saturating_add(seen.y0.saturating_sub(area.y0)),
+        );
+        let Some(Plan { target, from }) = Plan::new(self.window(), at, seen) else { return };
+        let width = index(target.x1 - target.x0);
+        let (upwards, to_left) = (target.y0 <= from.y0, target.x0 <= from.x0);
+        let chunks = width.div_ceil(pixels);
+        for i in 0..target.y1 - target.y0 {
+            let down = if upwards { i } else { target.y1 - target.y0 - 1 - i };
+            let (to_row, from_row) = (self.row_start(target.y0 + down), self.row_start(from.y0 + down));
+            for c in 0..chunks {
+                let right = if to_left { c } else { chunks - 1 - c } * pixels;
+                let n = pixels.min(width - right);
+                let (to_x, from_x) = (self.x(target.x0) + right, self.x(from.x0) + right);
+                let mut chunk = [0; CHUNK];
+                pixel::copy::<F>(&mut chunk, (0, 0), self.memory(), (from_row, from_x), n);
+                put(self.memory(), (to_row, to_x), &chunk, n);
+            }
+        }
+    }
+}
+
+/// Which pixels of a window are copied from which of a source: rectangles of the same size, not empty.
+struct Plan {
+    target: Rect,
+    from: Rect,
+}
+
+impl Plan {
+    fn new(window: Rect, at: Point, source: Rect) -> Option<Self> {
+        // In wide numbers: the source may end beyond i32::MAX.
+        let clip = |low: i32, high: i32, at: i32, from: i32, end: i32| {
+            let to = i64::from(at) + (i64::from(end) - i64::from(from));
+            let (start, end) = (low.max(at), i64::from(high).min(to));
+            (i64::from(start) < end).then(|| (start, narrow(end)))
+        };
+        let (x0, x1) = clip(window.x0, window.x1, at.x, source.x0, source.x1)?;
+        let (y0, y1) = clip(window.y0, window.y1, at.y, source.y0, source.y1)?;
+        let back = |target: i32, at: i32, from: i32| target.wrapping_sub(at).wrapping_add(from);
+        Some(Self {
+            target: Rect { x0, y0, x1, y1 },
+            from: Rect {
+                x0: back(x0, at.x, source.x0),
+                y0: back(y0, at.y, source.y0),
+                x1: back(x1, at.x, source.x0),
+                y1: back(y1, at.y, source.y0),
+            },
+        })
+    }
+}

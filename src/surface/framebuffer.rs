@@ -1,0 +1,267 @@
+//! [`Framebuffer`]: rows of pixels in borrowed memory.
+
+use core::{marker::PhantomData, ops::Range};
+
+use embedded_graphics_core::geometry::{Point, Size};
+
+use super::{Bitmap, Surface};
+use crate::{
+    error::Error,
+    num::cast::index,
+    pixel::{self, row_bytes, PixelFormat},
+    rect::Rect,
+    span::{ClippedSpan, Span, Steps},
+};
+
+/// Rows of pixels in memory that the caller owns: a whole screen, a band of one, or a view of a part.
+///
+/// Pixel (x, y) starts at bit `x * BITS` of row y, and row y at byte `y * stride`. Drawing outside is clipped.
+/// ```
+/// use embedded_graphics_core::geometry::Point;
+/// use embedded_raster::{Canvas, Framebuffer, Index4};
+/// let mut ram = [0; 4 * 2];
+/// let mut frame = Framebuffer::<Index4>::new(&mut ram, 8, 2)?;
+/// frame.draw_line(Point::new(1, 0), Point::new(100, 0), Index4::new(9));
+/// assert_eq!(frame.get(Point::new(7, 0)), Some(Index4::new(9)));
+/// assert_eq!(ram, [0x09, 0x99, 0x99, 0x99, 0, 0, 0, 0]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Framebuffer<'a, F> {
+    memory: &'a mut [u8],
+    stride: usize,
+    /// The screen, which may be larger than what is in memory.
+    width: u16,
+    height: u16,
+    /// What may be painted: inside the screen and inside the memory.
+    window: Rect,
+    /// The row and column of the memory that (0, 0) falls on.
+    row: i32,
+    column: i32,
+    format: PhantomData<F>,
+}
+
+impl<'a, F: PixelFormat> Framebuffer<'a, F> {
+    /// A screen of `width` x `height` pixels without gaps between the rows.
+    ///
+    /// # Errors
+    /// [`Error::BufferTooSmall`] if `memory` is shorter than [`buffer_bytes`](crate::buffer_bytes). A longer one is fine:
+    /// the rest stays untouched.
+    #[inline]
+    pub fn new(memory: &'a mut [u8], width: u16, height: u16) -> Result<Self, Error> {
+        Self::with_stride(memory, width, height, row_bytes::<F>(width))
+    }
+
+    /// A screen whose rows are `stride` bytes apart.
+    ///
+    /// # Errors
+    /// [`Error::StrideTooSmall`], [`Error::BufferTooSmall`]. Bytes after the pixels of the last row are not needed.
+    #[inline]
+    pub fn with_stride(memory: &'a mut [u8], width: u16, height: u16, stride: usize) -> Result<Self, Error> {
+        check::<F>(memory.len(), width, height, stride)?;
+        let window = Rect::new(0, 0, width.into(), height.into());
+        Ok(Self { memory, stride, width, height, window, row: 0, column: 0, format: PhantomData })
+    }
+
+    /// Rows `rows` of a screen of `width` x `height` pixels, drawn in screen coordinates: the way to a picture that is
+    /// larger than the memory. Draw the scene once a band; no pixel differs from drawing it whole.
+    /// ```
+    /// use embedded_graphics_core::geometry::Point;
+    /// use embedded_raster::{Framebuffer, Index8};
+    /// let mut ram = [0; 320 * 16];
+    /// let mut band = Framebuffer::<Index8>::band(&mut ram, 320, 240, 64..80)?;
+    /// band.set(Point::new(1, 64), Index8::new(7));
+    /// assert_eq!(ram[1], 7);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    /// # Errors
+    /// [`Error::BandOutsideScreen`], [`Error::BufferTooSmall`].
+    pub fn band(memory: &'a mut [u8], width: u16, height: u16, rows: Range<u16>) -> Result<Self, Error> {
+        let Range { start, end } = rows;
+        if start > end || end > height {
+            return Err(Error::BandOutsideScreen { start, end, height });
+        }
+        let stride = row_bytes::<F>(width);
+        check::<F>(memory.len(), width, end - start, stride)?;
+        let window = Rect::new(0, start.into(), width.into(), end.into());
+        let row = i32::from(start).wrapping_neg();
+        Ok(Self { memory, stride, width, height, window, row, column: 0, format: PhantomData })
+    }
+
+    /// The part of it in `area`, as a surface of its own whose (0, 0) is the top left corner of `area`.
+    ///
+    /// What lies outside of this surface is clipped; the size is that of `area` all the same, up to 65,535.
+    #[must_use]
+    pub fn view(&mut self, area: Rect) -> Framebuffer<'_, F> {
+        let size = |n: u32| u16::try_from(n).unwrap_or(u16::MAX);
+        let (width, height) = (size(area.width()), size(area.height()));
+        let here = Rect { x1: area.x0.saturating_add(width.into()), y1: area.y0.saturating_add(height.into()), ..area };
+        Framebuffer {
+            window: here.intersection(self.window).relative_to(area.x0, area.y0),
+            row: self.row.wrapping_add(area.y0),
+            column: self.column.wrapping_add(area.x0),
+            memory: self.memory,
+            stride: self.stride,
+            width,
+            height,
+            format: PhantomData,
+        }
+    }
+
+    /// The same surface, with drawing restricted to `area`; coordinates stay as they are.
+    #[must_use]
+    pub fn clipped(&mut self, area: Rect) -> Framebuffer<'_, F> {
+        Framebuffer {
+            window: self.window.intersection(area),
+            row: self.row,
+            column: self.column,
+            memory: self.memory,
+            stride: self.stride,
+            width: self.width,
+            height: self.height,
+            format: PhantomData,
+        }
+    }
+
+    /// Width and height of the screen.
+    #[inline]
+    pub fn size(&self) -> Size {
+        Size::new(self.width.into(), self.height.into())
+    }
+
+    /// Bytes from one row to the next.
+    #[inline]
+    pub const fn stride(&self) -> usize {
+        self.stride
+    }
+
+    /// Paints one pixel; nothing if it lies outside.
+    #[inline]
+    pub fn set(&mut self, p: Point, color: F::Color) {
+        if self.window.contains(p.x, p.y) {
+            let (row, x) = (self.row_start(p.y), self.x(p.x));
+            pixel::set::<F>(self.memory, row, x, F::pack(color));
+        }
+    }
+
+    /// The colour of a pixel; `None` if it lies outside.
+    #[inline]
+    pub fn get(&self, p: Point) -> Option<F::Color> {
+        self.window
+            .contains(p.x, p.y)
+            .then(|| F::unpack(pixel::get::<F>(self.memory, self.row_start(p.y), self.x(p.x))))
+    }
+
+    /// Paints everything. Bytes between the rows of a larger stride stay untouched.
+    #[inline]
+    pub fn clear(&mut self, color: F::Color) {
+        self.fill_area(self.window, color);
+    }
+
+    /// The bytes of the pixels of some rows in `columns`, row by row, widened to whole bytes: what a display wants to be
+    /// sent. Nothing for what lies outside.
+    pub fn bytes(&self, area: Rect) -> impl Iterator<Item = &[u8]> + '_ {
+        self.as_bitmap().bytes(area)
+    }
+
+    /// The bytes of whole rows as they lie in memory, gaps of the stride included, in one piece: for DMA. Empty if a row
+    /// lies outside.
+    pub fn row_bytes(&self, rows: Range<u16>) -> &[u8] {
+        let inside = i32::from(rows.start) >= self.window.y0 && i32::from(rows.end) <= self.window.y1;
+        let (start, end) = (self.row_start(rows.start.into()), self.row_start(rows.end.into()));
+        let end = end.min(self.memory.len());
+        self.memory.get(start..end).filter(|_| inside).unwrap_or_default()
+    }
+
+    /// The colours of the pixels in `area`, row by row from left to right. What lies outside is left out.
+    pub fn colors(&self, area: Rect) -> impl Iterator<Item = F::Color> + '_ {
+        let area = self.window.intersection(area);
+        (area.y0..area.y1).flat_map(move |y| {
+            let row = self.row_start(y);
+            (area.x0..area.x1).map(move |x| F::unpack(pixel::get::<F>(self.memory, row, self.x(x))))
+        })
+    }
+
+    /// It as a source of blits.
+    #[inline]
+    pub fn as_bitmap(&self) -> Bitmap<'_, F> {
+        Bitmap::of_memory(self.memory, self.stride, self.window, self.row, self.column)
+    }
+
+    /// Paints the start of a row of colours: takes exactly `span.len()` of them, or all there are.
+    #[inline]
+    pub(crate) fn write_span(&mut self, span: ClippedSpan, colors: &mut impl Iterator<Item = F::Color>) {
+        let row = self.row_start(span.y());
+        for x in self.x(span.x0())..self.x(span.x1()) {
+            let Some(color) = colors.next() else { return };
+            pixel::set::<F>(self.memory, row, x, F::pack(color));
+        }
+    }
+
+    /// First byte of a row that lies in the window.
+    #[inline(always)]
+    pub(super) fn row_start(&self, y: i32) -> usize {
+        index(y.wrapping_add(self.row)).wrapping_mul(self.stride)
+    }
+
+    /// Place in its row in memory of a column that lies in the window.
+    #[inline(always)]
+    pub(super) fn x(&self, x: i32) -> usize {
+        index(x.wrapping_add(self.column))
+    }
+
+    #[inline(always)]
+    pub(super) fn memory(&mut self) -> &mut [u8] {
+        self.memory
+    }
+}
+
+/// Do `height` rows `stride` bytes apart fit into `given` bytes?
+#[inline]
+pub(super) fn check<F: PixelFormat>(given: usize, width: u16, height: u16, stride: usize) -> Result<(), Error> {
+    let row = row_bytes::<F>(width);
+    if stride < row {
+        return Err(Error::StrideTooSmall { needed: row, given: stride });
+    }
+    let needed = match height {
+        0 => 0,
+        _ => stride.saturating_mul(usize::from(height) - 1).saturating_add(row),
+    };
+    if given < needed {
+        return Err(Error::BufferTooSmall { needed, given });
+    }
+    Ok(())
+}
+
+impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
+    type Color = F::Color;
+
+    #[inline(always)]
+    fn window(&self) -> Rect {
+        self.window
+    }
+
+    #[inline(always)]
+    fn fill_span(&mut self, span: ClippedSpan, color: F::Color) {
+        let row = self.row_start(span.y());
+        let (x0, x1) = (self.x(span.x0()), self.x(span.x1()));
+        pixel::fill::<F>(self.memory, row, x0, x1, F::pack(color));
+    }
+
+    #[inline]
+    fn fill_area(&mut self, area: Rect, color: F::Color) {
+        let area = area.intersection(self.window);
+        let Some(first) = (Span { y: area.y0, x0: area.x0, x1: area.x1 }).clip(area) else { return };
+        let bits = F::pack(color);
+        let (x0, x1) = (self.x(first.x0()), self.x(first.x1()));
+        for y in area.y0..area.y1 {
+            let row = self.row_start(y);
+            pixel::fill::<F>(self.memory, row, x0, x1, bits);
+        }
+    }
+
+    #[inline]
+    fn fill_steps(&mut self, steps: Steps, color: F::Color) {
+        steps.spans(|span| self.fill_span(span, color));
+    }
+}
