@@ -201,6 +201,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::{vec, vec::Vec};
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
         let corners = corners.map(|(x, y)| Vertex::from_bits(x, y));

@@ -131,6 +131,7 @@ where
     }
 }
 
+/// `Image` would do the same by way of its clipping, and take half as long again.
 fn blit<F>(frame: &mut F, sprite: &Sprite<'_>)
 where
     F: DrawTarget<Error = Infallible>,

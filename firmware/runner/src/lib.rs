@@ -1,0 +1,27 @@
+//! Builds the firmware, runs it on emulated chips and makes tables of what it prints.
+//!
+//! ```text
+//!  toolchain   one that has the target, or one that can build `core`
+//!    |
+//!  firmware    cargo build  ---> ELF ---> size: bytes of flash and RAM
+//!    |                            |
+//!  emulator                      QEMU ---> output ---> table: instructions per pixel
+//! ```
+
+pub mod chip;
+pub mod emulator;
+pub mod firmware;
+pub mod size;
+pub mod table;
+pub mod toolchain;
+
+pub use chip::Chip;
+pub use firmware::{Opt, Program};
+
+use anyhow::Result;
+
+/// Builds a program, runs it on the chip and returns what it printed.
+pub fn run(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<String> {
+    let elf = firmware::build(program, chip, opt)?;
+    emulator::run(chip, &elf)
+}

@@ -1,0 +1,106 @@
+//! The command line: see `HELP`.
+
+use std::process::ExitCode;
+
+use anyhow::{bail, Result};
+use pico_args::Arguments;
+use runner::table::{self, Cell};
+use runner::toolchain::Toolchain;
+use runner::{run, size, Chip, Opt, Program};
+
+const HELP: &str = "\
+Runs the firmware on emulated chips. Counts are instructions, not cycles.
+
+    run <bin> [--package bench] [--target CHIP]... [--opt 3|s]
+        build a program, run it and print what it prints
+    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack]
+        run `table` and print it as Markdown
+    size [--target CHIP]... [--opt 3|s]
+        bytes of flash and RAM of the programs in size/, at `s` unless told
+
+CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
+";
+
+fn main() -> ExitCode {
+    match command(Arguments::from_env()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn command(mut args: Arguments) -> Result<()> {
+    if args.contains(["-h", "--help"]) {
+        print!("{HELP}");
+        return Ok(());
+    }
+    match args.subcommand()?.as_deref() {
+        Some("run") => run_program(args),
+        Some("table") => print_tables(args),
+        Some("size") => print_sizes(args),
+        Some(other) => bail!("no command `{other}`\n\n{HELP}"),
+        None => bail!("which command?\n\n{HELP}"),
+    }
+}
+
+fn run_program(mut args: Arguments) -> Result<()> {
+    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    let package: String = args.opt_value_from_str("--package")?.unwrap_or("bench".into());
+    let bin: String = args.free_from_str()?;
+    finish(args)?;
+    for chip in chips {
+        print!("{}", run(&Program { package: &package, bin: &bin }, chip, opt)?);
+    }
+    Ok(())
+}
+
+fn print_tables(mut args: Arguments) -> Result<()> {
+    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    let format: Option<String> = args.opt_value_from_str("--format")?;
+    let cell = args.opt_value_from_str("--per")?.unwrap_or(Cell::PerPixel);
+    finish(args)?;
+    for chip in chips {
+        let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, opt)?)?;
+        println!("{}: {}\n", heading(chip, opt)?, cell.title());
+        for name in table::formats(&rows) {
+            if format.as_deref().is_none_or(|wanted| wanted == name) {
+                println!("{}", table::markdown(&rows, name, cell));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn print_sizes(mut args: Arguments) -> Result<()> {
+    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Small)?);
+    finish(args)?;
+    for chip in chips {
+        println!("{}: bytes\n\n{}", heading(chip, opt)?, size::markdown(chip, opt)?);
+    }
+    Ok(())
+}
+
+/// Everything that a number depends on.
+fn heading(chip: Chip, opt: Opt) -> Result<String> {
+    let compiler = Toolchain::find(chip)?.version()?;
+    Ok(format!("{chip}, opt-level {}, {compiler}", opt.name()))
+}
+
+fn chips(args: &mut Arguments) -> Result<Vec<Chip>> {
+    let chosen: Vec<Chip> = args.values_from_str("--target")?;
+    Ok(if chosen.is_empty() { Chip::ALL.to_vec() } else { chosen })
+}
+
+fn opt(args: &mut Arguments, default: Opt) -> Result<Opt> {
+    Ok(args.opt_value_from_str("--opt")?.unwrap_or(default))
+}
+
+fn finish(args: Arguments) -> Result<()> {
+    let rest = args.finish();
+    if !rest.is_empty() {
+        bail!("not understood: {rest:?}\n\n{HELP}");
+    }
+    Ok(())
+}

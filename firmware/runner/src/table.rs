@@ -1,0 +1,186 @@
+//! The lines of the `table` program, and the Markdown tables made of them.
+
+use std::fmt::Write;
+use std::str::FromStr;
+
+use anyhow::{bail, Context, Error, Result};
+
+/// One line: what a workload costs in one format and engine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Name of the workload.
+    pub workload: String,
+    /// Name of the pixel format.
+    pub format: String,
+    /// Name of the engine.
+    pub engine: String,
+    /// Instructions of the whole workload.
+    pub instructions: f64,
+    /// Items drawn.
+    pub calls: u32,
+    /// Pixels drawn.
+    pub pixels: u32,
+    /// Bytes of stack.
+    pub stack: u32,
+    /// Checksum of the frame.
+    pub crc32: u32,
+}
+
+impl FromStr for Row {
+    type Err = Error;
+
+    fn from_str(line: &str) -> Result<Self, Error> {
+        let fields: Vec<&str> = line.split(';').collect();
+        let &[workload, format, engine, instructions, calls, pixels, stack, crc32] = &fields[..]
+        else {
+            bail!("{} fields instead of 8", fields.len());
+        };
+        Ok(Self {
+            workload: workload.into(),
+            format: format.into(),
+            engine: engine.into(),
+            instructions: instructions.parse()?,
+            calls: calls.parse()?,
+            pixels: pixels.parse()?,
+            stack: stack.parse()?,
+            crc32: u32::from_str_radix(crc32, 16)?,
+        })
+    }
+}
+
+/// All rows of a program's output; lines that start with `#` are remarks.
+pub fn parse(output: &str) -> Result<Vec<Row>> {
+    let lines = output.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
+    lines.map(|line| line.parse().with_context(|| format!("in the line `{line}`"))).collect()
+}
+
+/// What the cells of a table say.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// Instructions of a pixel.
+    PerPixel,
+    /// Instructions of an item.
+    PerCall,
+    /// Bytes of stack.
+    Stack,
+}
+
+impl FromStr for Cell {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self, Error> {
+        Ok(match name {
+            "pixel" => Self::PerPixel,
+            "call" => Self::PerCall,
+            "stack" => Self::Stack,
+            _ => bail!("no column `{name}`: there are pixel, call and stack"),
+        })
+    }
+}
+
+impl Cell {
+    /// What a table says about its cells.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::PerPixel => "instructions per pixel",
+            Self::PerCall => "instructions per call",
+            Self::Stack => "bytes of stack",
+        }
+    }
+
+    fn show(self, row: &Row) -> String {
+        match self {
+            Self::PerPixel => rounded(row.instructions / f64::from(row.pixels)),
+            Self::PerCall => rounded(row.instructions / f64::from(row.calls)),
+            Self::Stack => row.stack.to_string(),
+        }
+    }
+}
+
+/// Three significant digits below 100, no fraction above.
+fn rounded(value: f64) -> String {
+    let digits = match value {
+        v if v < 1.0 => 3,
+        v if v < 10.0 => 2,
+        v if v < 100.0 => 1,
+        _ => 0,
+    };
+    format!("{value:.digits$}")
+}
+
+/// A table of one format: a row for each workload, a column for each engine, in the order in which
+/// they first appear. `–` is what an engine cannot draw.
+pub fn markdown(rows: &[Row], format: &str, cell: Cell) -> String {
+    let rows: Vec<&Row> = rows.iter().filter(|row| row.format == format).collect();
+    let engines = distinct(rows.iter().map(|row| row.engine.as_str()));
+    let mut text = format!("| {format} | calls | pixels | {} |\n", engines.join(" | "));
+    text += &format!("|---|---:|---:|{}\n", "---:|".repeat(engines.len()));
+    for workload in distinct(rows.iter().map(|row| row.workload.as_str())) {
+        let same: Vec<&Row> = rows.iter().copied().filter(|r| r.workload == workload).collect();
+        let cost = |engine: &&str| {
+            let row = same.iter().find(|row| row.engine == *engine);
+            row.map_or("–".into(), |row| cell.show(row))
+        };
+        let cells: Vec<String> = engines.iter().map(cost).collect();
+        let (calls, pixels) = same.first().map_or((0, 0), |row| (row.calls, row.pixels));
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {workload} | {calls} | {pixels} | {} |", cells.join(" | "));
+    }
+    text
+}
+
+/// The formats of some rows, in the order in which they first appear.
+pub fn formats(rows: &[Row]) -> Vec<&str> {
+    distinct(rows.iter().map(|row| row.format.as_str()))
+}
+
+fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    names.fold(Vec::new(), |mut seen, name| {
+        if !seen.contains(&name) {
+            seen.push(name);
+        }
+        seen
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OUTPUT: &str = "\
+# a remark
+clear;rgb565;a;1230040.0;1;76800;40;da5b9130
+rects-8x8;rgb565;a;256.0;2;128;64;5454667a
+clear;gray8;a;768000.0;1;76800;40;da5b9130
+clear;rgb565;b;6052.1;1;76800;52;da5b9130
+";
+
+    #[test]
+    fn a_line_has_eight_fields() {
+        let rows = parse(OUTPUT).expect("well-formed");
+        assert_eq!(rows.len(), 4, "without the remark");
+        assert_eq!(rows[3].instructions, 6052.1, "with its tenths");
+        assert_eq!(rows[3].crc32, 0xDA5B_9130, "in hexadecimal");
+        assert!(parse("clear;rgb565;a").is_err(), "three fields are no line");
+    }
+
+    #[test]
+    fn a_table_has_one_format_and_a_column_for_each_engine() {
+        let rows = parse(OUTPUT).expect("well-formed");
+        assert_eq!(
+            markdown(&rows, "rgb565", Cell::PerPixel),
+            "| rgb565 | calls | pixels | a | b |\n\
+             |---|---:|---:|---:|---:|\n\
+             | clear | 1 | 76800 | 16.0 | 0.079 |\n\
+             | rects-8x8 | 2 | 128 | 2.00 | – |\n"
+        );
+        assert_eq!(formats(&rows), ["rgb565", "gray8"]);
+    }
+
+    #[test]
+    fn cells_divide_by_pixels_or_calls() {
+        let rows = parse(OUTPUT).expect("well-formed");
+        assert_eq!(Cell::PerCall.show(&rows[1]), "128");
+        assert_eq!(Cell::Stack.show(&rows[1]), "64");
+    }
+}
