@@ -143,12 +143,12 @@ fn for_each_row<I: Iterator>(
     if seen.is_empty() {
         return;
     }
-    // A width counts in full even where the rectangle is cut off at the end of i32.
+    // All below 2^64. A width counts in full even where the rectangle is cut off at the end of i32.
     let width = u64::from(area.size.width);
     let column = |x: i32| (i64::from(x) - i64::from(area_rect.x0)).unsigned_abs();
     let (before, shown) = (column(seen.x0), u64::from(seen.width()));
     let rows_above = (i64::from(seen.y0) - i64::from(area_rect.y0)).unsigned_abs();
-    let mut skip = rows_above * width + before;
+    let mut skip = rows_above.wrapping_mul(width).wrapping_add(before);
     for y in seen.y0..seen.y1 {
         if !advance(colors, skip) {
             return;
@@ -156,7 +156,7 @@ fn for_each_row<I: Iterator>(
         if let Some(span) = (Span { y, x0: seen.x0, x1: seen.x1 }).clip(seen) {
             write(span, colors);
         }
-        skip = width - shown;
+        skip = width.wrapping_sub(shown);
     }
 }
 
@@ -168,7 +168,7 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
         if items.nth(step).is_none() {
             return false;
         }
-        left = last - step as u64;
+        left = last.wrapping_sub(step as u64);
     }
     true
 }
@@ -184,7 +184,7 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
 /// draw_on(&mut display, |canvas| {
 ///     canvas.fill_triangle([Vertex::px(0, 0), Vertex::px(4, 0), Vertex::px(0, 4)], BinaryColor::On);
 /// })?;
-/// display.assert_pattern(&["###", "##", "#"]);
+/// display.assert_pattern(&["###", "## ", "#  "]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 pub fn draw_on<D: DrawTarget, R>(target: &mut D, draw: impl FnOnce(&mut Target<'_, D>) -> R) -> Result<R, D::Error> {

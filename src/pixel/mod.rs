@@ -132,8 +132,7 @@ pub(crate) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1:
     if F::BITS < 8 {
         packed::fill::<F>(memory, row, x0, x1, bits);
     } else {
-        let bytes = bytes_per_pixel::<F>();
-        if let Some(run) = memory.get_mut(row.wrapping_add(x0 * bytes)..row.wrapping_add(x1 * bytes)) {
+        if let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
             word::fill::<F>(run, bits);
         }
     }
@@ -145,7 +144,7 @@ pub(crate) fn set<F: PixelFormat>(memory: &mut [u8], row: usize, x: usize, bits:
     if F::BITS < 8 {
         packed::set::<F>(memory, row, x, bits);
     } else {
-        word::set::<F>(memory, row.wrapping_add(x * bytes_per_pixel::<F>()), bits);
+        word::set::<F>(memory, byte::<F>(row, x), bits);
     }
 }
 
@@ -155,8 +154,14 @@ pub(crate) fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
     if F::BITS < 8 {
         packed::get::<F>(memory, row, x)
     } else {
-        word::get::<F>(memory, row.wrapping_add(x * bytes_per_pixel::<F>()))
+        word::get::<F>(memory, byte::<F>(row, x))
     }
+}
+
+/// Where pixel `x` of the row at byte `row` starts, for formats of whole bytes.
+#[inline(always)]
+const fn byte<F: PixelFormat>(row: usize, x: usize) -> usize {
+    row.wrapping_add(x.wrapping_mul(bytes_per_pixel::<F>()))
 }
 
 /// For formats of whole bytes.
@@ -177,10 +182,8 @@ pub(crate) fn copy<F: PixelFormat>(
     if F::BITS < 8 {
         packed::copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
     } else {
-        let size = bytes_per_pixel::<F>();
-        let (to_start, from_start) = (to_row.wrapping_add(to_x * size), from_row.wrapping_add(from_x * size));
-        let to = to.get_mut(to_start..to_start.wrapping_add(n * size));
-        let from = from.get(from_start..from_start.wrapping_add(n * size));
+        let to = to.get_mut(byte::<F>(to_row, to_x)..byte::<F>(to_row, to_x.wrapping_add(n)));
+        let from = from.get(byte::<F>(from_row, from_x)..byte::<F>(from_row, from_x.wrapping_add(n)));
         if let (Some(to), Some(from)) = (to, from) {
             word::copy(to, from);
         }

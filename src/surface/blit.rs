@@ -122,40 +122,46 @@ impl<'a, F: PixelFormat> Bitmap<'a, F> {
 impl<F: PixelFormat> Framebuffer<'_, F> {
     /// Copies a bitmap so that its top left pixel falls on `at`. What lies outside is clipped.
     pub fn blit(&mut self, at: Point, source: &Bitmap<'_, F>) {
-        let Some(Plan { target, from }) = Plan::new(self.window(), at, source.window) else { return };
-        for (y, from_y) in (target.y0..target.y1).zip(from.y0..from.y1) {
-            let (to, x) = (self.row_start(y), self.x(target.x0));
-            let (row, from_x) = (source.row_start(from_y), source.x(from.x0));
-            pixel::copy::<F>(self.memory(), (to, x), source.memory, (row, from_x), index(target.x1 - target.x0));
-        }
+        self.blit_rows(at, source, |memory, to, from, n| pixel::copy::<F>(memory, to, source.memory, from, n));
     }
 
     /// The same, but pixels of the colour `key` are transparent.
     pub fn blit_keyed(&mut self, at: Point, source: &Bitmap<'_, F>, key: F::Color) {
-        let Some(Plan { target, from }) = Plan::new(self.window(), at, source.window) else { return };
         let key = F::pack(key);
-        for (y, from_y) in (target.y0..target.y1).zip(from.y0..from.y1) {
-            let (to, x) = (self.row_start(y), self.x(target.x0));
-            let (row, from_x) = (source.row_start(from_y), source.x(from.x0));
-            let pixels = index(target.x1 - target.x0);
-            pixel::copy_keyed::<F>(self.memory(), (to, x), source.memory, (row, from_x), pixels, key);
-        }
+        self.blit_rows(at, source, |memory, to, from, n| {
+            pixel::copy_keyed::<F>(memory, to, source.memory, from, n, key);
+        });
     }
 
     /// Moves the pixels of `area` so that its top left one falls on `to`; both may overlap. What the area leaves keeps its
     /// colours, what lies outside before or after is left out: scrolling by one row is `move_area(whole, (0, -1))`.
     pub fn move_area(&mut self, area: Rect, to: Point) {
-        self.move_chunks(area, to, |memory, to, chunk, pixels| {
-            pixel::copy::<F>(memory, to, chunk, (0, 0), pixels);
-        });
+        self.move_chunks(area, to, |memory, to, chunk, n| pixel::copy::<F>(memory, to, chunk, (0, 0), n));
     }
 
     /// The same, but pixels of the colour `key` are not copied.
     pub fn move_area_keyed(&mut self, area: Rect, to: Point, key: F::Color) {
         let key = F::pack(key);
-        self.move_chunks(area, to, |memory, to, chunk, pixels| {
-            pixel::copy_keyed::<F>(memory, to, chunk, (0, 0), pixels, key);
+        self.move_chunks(area, to, |memory, to, chunk, n| {
+            pixel::copy_keyed::<F>(memory, to, chunk, (0, 0), n, key);
         });
+    }
+
+    /// Calls `copy` with memory, first byte and pixel of the row here, the same of the source, and a count, for each row.
+    #[inline(always)]
+    fn blit_rows(
+        &mut self,
+        at: Point,
+        source: &Bitmap<'_, F>,
+        copy: impl Fn(&mut [u8], (usize, usize), (usize, usize), usize),
+    ) {
+        let Some(plan) = Plan::new(self.window(), at, source.window) else { return };
+        let (x, from_x) = (self.x(plan.to.x), source.x(plan.from.x));
+        for down in 0..plan.height {
+            let row = self.row_start(plan.to.y.wrapping_add(down));
+            let from_row = source.row_start(plan.from.y.wrapping_add(down));
+            copy(self.memory(), (row, x), (from_row, from_x), plan.width);
+        }
     }
 
     /// Takes the pixels of an area up in small chunks and puts each down with `put`, in an order in which none is painted
@@ -169,50 +175,47 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
             to.x.saturating_add(seen.x0.saturating_sub(area.x0)),
             to.y.saturating_add(seen.y0.saturating_sub(area.y0)),
         );
-        let Some(Plan { target, from }) = Plan::new(self.window(), at, seen) else { return };
-        let width = index(target.x1 - target.x0);
-        let (upwards, to_left) = (target.y0 <= from.y0, target.x0 <= from.x0);
-        let chunks = width.div_ceil(pixels);
-        for i in 0..target.y1 - target.y0 {
-            let down = if upwards { i } else { target.y1 - target.y0 - 1 - i };
-            let (to_row, from_row) = (self.row_start(target.y0 + down), self.row_start(from.y0 + down));
+        let Some(plan) = Plan::new(self.window(), at, seen) else { return };
+        let (upwards, to_left) = (plan.to.y <= plan.from.y, plan.to.x <= plan.from.x);
+        let (to_x, from_x) = (self.x(plan.to.x), self.x(plan.from.x));
+        let chunks = plan.width.div_ceil(pixels);
+        for i in 0..plan.height {
+            let down = if upwards { i } else { plan.height.wrapping_sub(1).wrapping_sub(i) };
+            let to_row = self.row_start(plan.to.y.wrapping_add(down));
+            let from_row = self.row_start(plan.from.y.wrapping_add(down));
             for c in 0..chunks {
-                let right = if to_left { c } else { chunks - 1 - c } * pixels;
-                let n = pixels.min(width - right);
-                let (to_x, from_x) = (self.x(target.x0) + right, self.x(from.x0) + right);
+                let c = if to_left { c } else { chunks.wrapping_sub(1).wrapping_sub(c) };
+                let right = c.wrapping_mul(pixels);
+                let n = pixels.min(plan.width.wrapping_sub(right));
                 let mut chunk = [0; CHUNK];
-                pixel::copy::<F>(&mut chunk, (0, 0), self.memory(), (from_row, from_x), n);
-                put(self.memory(), (to_row, to_x), &chunk, n);
+                let from = (from_row, from_x.wrapping_add(right));
+                pixel::copy::<F>(&mut chunk, (0, 0), self.memory(), from, n);
+                put(self.memory(), (to_row, to_x.wrapping_add(right)), &chunk, n);
             }
         }
     }
 }
 
-/// Which pixels of a window are copied from which of a source: rectangles of the same size, not empty.
+/// Which pixels of a window are copied from which of a source: `width` columns and `height` rows, at least one.
 struct Plan {
-    target: Rect,
-    from: Rect,
+    to: Point,
+    from: Point,
+    width: usize,
+    height: i32,
 }
 
 impl Plan {
     fn new(window: Rect, at: Point, source: Rect) -> Option<Self> {
-        // In wide numbers: the source may end beyond i32::MAX.
-        let clip = |low: i32, high: i32, at: i32, from: i32, end: i32| {
-            let to = i64::from(at) + (i64::from(end) - i64::from(from));
-            let (start, end) = (low.max(at), i64::from(high).min(to));
-            (i64::from(start) < end).then(|| (start, narrow(end)))
+        // One axis: the visible start, its place in the source, and the length. In wide numbers, as the source may end
+        // beyond i32::MAX.
+        let clip = |low: i32, high: i32, at: i32, from: i32, from_end: i32| {
+            let start = low.max(at);
+            let end = i64::from(high).min(i64::from(at) + i64::from(from_end) - i64::from(from));
+            let len = narrow(end - i64::from(start));
+            (i64::from(start) < end).then(|| (start, start.wrapping_sub(at).wrapping_add(from), len))
         };
-        let (x0, x1) = clip(window.x0, window.x1, at.x, source.x0, source.x1)?;
-        let (y0, y1) = clip(window.y0, window.y1, at.y, source.y0, source.y1)?;
-        let back = |target: i32, at: i32, from: i32| target.wrapping_sub(at).wrapping_add(from);
-        Some(Self {
-            target: Rect { x0, y0, x1, y1 },
-            from: Rect {
-                x0: back(x0, at.x, source.x0),
-                y0: back(y0, at.y, source.y0),
-                x1: back(x1, at.x, source.x0),
-                y1: back(y1, at.y, source.y0),
-            },
-        })
+        let (x, from_x, width) = clip(window.x0, window.x1, at.x, source.x0, source.x1)?;
+        let (y, from_y, height) = clip(window.y0, window.y1, at.y, source.y0, source.y1)?;
+        Some(Self { to: Point::new(x, y), from: Point::new(from_x, from_y), width: index(width), height })
     }
 }

@@ -149,8 +149,8 @@ impl<C: PixelColor + PixelFormat<Color = C>> Surface for Paged<'_, C> {
         let area = area.intersection(self.window);
         let mut y = area.y0;
         while y < area.y1 && area.x0 < area.x1 {
-            let next = ((y | 7) + 1).min(area.y1);
-            let mask = 0xff_u8 << (y & 7) & 0xff >> (7 - ((next - 1) & 7));
+            let next = (y | 7).wrapping_add(1).min(area.y1);
+            let mask = 0xff_u8 << (y & 7) & 0xff >> (7 - (next.wrapping_sub(1) & 7));
             self.fill_page(y, area.x0..area.x1, mask, ink(color));
             y = next;
         }

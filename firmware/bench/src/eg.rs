@@ -16,8 +16,7 @@ use crate::engine::Engine;
 use crate::scene::{Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
 
 /// A frame of embedded-graphics.
-type Frame<C, const N: usize> =
-    Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
+type Frame<C, const N: usize> = Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
 
 /// A frame of 16-bit colours.
 pub type Rgb565Frame = Frame<Rgb565, { buffer_size::<Rgb565>(WIDTH, HEIGHT) }>;
@@ -29,23 +28,23 @@ pub type Gray4Frame = Frame<Gray4, { buffer_size::<Gray4>(WIDTH, HEIGHT) }>;
 pub type BinaryFrame = Frame<BinaryColor, { buffer_size::<BinaryColor>(WIDTH, HEIGHT) }>;
 
 /// At 16 bits.
-pub const RGB565: Engine<Rgb565Frame> = engine(Format::Rgb565, |frame| frame.data_mut());
+pub const RGB565: Engine<Rgb565Frame> = engine(Format::Rgb565, |frame| frame.data_mut().fill(0), |frame| frame.data());
 /// At 8 bits.
-pub const GRAY8: Engine<Gray8Frame> = engine(Format::Gray8, |frame| frame.data_mut());
+pub const GRAY8: Engine<Gray8Frame> = engine(Format::Gray8, |frame| frame.data_mut().fill(0), |frame| frame.data());
 /// At 4 bits.
-pub const GRAY4: Engine<Gray4Frame> = engine(Format::Gray4, |frame| frame.data_mut());
+pub const GRAY4: Engine<Gray4Frame> = engine(Format::Gray4, |frame| frame.data_mut().fill(0), |frame| frame.data());
 /// At 1 bit.
-pub const BINARY: Engine<BinaryFrame> = engine(Format::Binary, |frame| frame.data_mut());
+pub const BINARY: Engine<BinaryFrame> = engine(Format::Binary, |frame| frame.data_mut().fill(0), |frame| frame.data());
 
 /// embedded-graphics fills no polygons, and knows neither colour keys nor colour tables.
-const fn engine<F>(format: Format, bytes: fn(&mut F) -> &mut [u8]) -> Engine<F>
+const fn engine<F>(format: Format, blacken: fn(&mut F), bytes: fn(&F) -> &[u8]) -> Engine<F>
 where
     F: DrawTarget<Error = Infallible>,
     F::Color: Inked + From<<F::Color as PixelColor>::Raw>,
     for<'a> RawDataSlice<'a, <F::Color as PixelColor>::Raw, LittleEndian>:
         IntoIterator<Item = <F::Color as PixelColor>::Raw>,
 {
-    let mut engine = Engine::new("embedded-graphics", format, bytes);
+    let mut engine = Engine::new("embedded-graphics", format, blacken, bytes);
     engine.clear = Some(clear);
     engine.rects = Some(rects);
     engine.rows = Some(rects);

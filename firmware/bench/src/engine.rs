@@ -1,6 +1,6 @@
 //! An engine: what it can draw, as a set of functions over its frame `F`.
 
-use crate::scene::{Format, Ink, Indexed, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
+use crate::scene::{Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
 
 /// Functions that draw workloads into a frame `F`. What is `None` is left out of the table.
 ///
@@ -11,8 +11,10 @@ pub struct Engine<F> {
     pub name: &'static str,
     /// How the frame stores its pixels.
     pub format: Format,
-    /// The bytes of the frame: blackened before every workload, checksummed after it.
-    pub bytes: fn(&mut F) -> &mut [u8],
+    /// Makes every byte 0: before each workload.
+    pub blacken: fn(&mut F),
+    /// The bytes of the frame, for its checksum: after each workload.
+    pub bytes: fn(&F) -> &[u8],
     /// The whole frame.
     pub clear: Option<fn(&mut F, Ink)>,
     /// Filled rectangles.
@@ -39,10 +41,11 @@ pub struct Engine<F> {
 
 impl<F> Engine<F> {
     /// An engine that can draw nothing yet.
-    pub const fn new(name: &'static str, format: Format, bytes: fn(&mut F) -> &mut [u8]) -> Self {
+    pub const fn new(name: &'static str, format: Format, blacken: fn(&mut F), bytes: fn(&F) -> &[u8]) -> Self {
         Self {
             name,
             format,
+            blacken,
             bytes,
             clear: None,
             rects: None,

@@ -32,7 +32,7 @@ struct Row {
 
 /// `None` when this engine cannot draw this.
 fn measure<F>(engine: &Engine<F>, frame: &mut F, work: &Work<'_>) -> Option<Row> {
-    (engine.bytes)(frame).fill(0);
+    (engine.blacken)(frame);
     engine.draw(frame, work)?;
     // Drawing is idempotent: the frame is the same after any number of runs.
     let mut draw = || _ = black_box(engine).draw(black_box(frame), black_box(work));

@@ -83,8 +83,7 @@ fn programs() -> Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in entries {
         let path = entry?.path();
-        if let Some(name) = path.file_stem().filter(|_| path.extension().is_some_and(|e| e == "rs"))
-        {
+        if let Some(name) = path.file_stem().filter(|_| path.extension().is_some_and(|e| e == "rs")) {
             names.push(name.to_string_lossy().into_owned());
         }
     }

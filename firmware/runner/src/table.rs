@@ -31,8 +31,7 @@ impl FromStr for Row {
 
     fn from_str(line: &str) -> Result<Self, Error> {
         let fields: Vec<&str> = line.split(';').collect();
-        let &[workload, format, engine, instructions, calls, pixels, stack, crc32] = &fields[..]
-        else {
+        let &[workload, format, engine, instructions, calls, pixels, stack, crc32] = &fields[..] else {
             bail!("{} fields instead of 8", fields.len());
         };
         Ok(Self {

@@ -56,9 +56,7 @@ impl Toolchain {
     fn can_build(&self, chip: Chip, builds_core: bool) -> bool {
         if builds_core {
             let source = "lib/rustlib/src/rust/library/core/Cargo.toml";
-            return self
-                .ask(&["--print", "sysroot"])
-                .is_ok_and(|p| Path::new(&p).join(source).exists());
+            return self.ask(&["--print", "sysroot"]).is_ok_and(|p| Path::new(&p).join(source).exists());
         }
         let asked = self.ask(&["--print", "target-libdir", "--target", chip.target()]);
         asked.is_ok_and(|libraries| holds_core(Path::new(&libraries)))
@@ -77,11 +75,8 @@ impl Toolchain {
 /// The toolchain in use, then the system's own, which rustup's may hide.
 fn candidates() -> [Toolchain; 2] {
     let named = |variable, default: &str| env::var_os(variable).unwrap_or_else(|| default.into());
-    [
-        (named("RUSTC", "rustc"), named("CARGO", "cargo")),
-        ("/usr/bin/rustc".into(), "/usr/bin/cargo".into()),
-    ]
-    .map(|(rustc, cargo)| Toolchain { rustc, cargo, builds_core: false })
+    [(named("RUSTC", "rustc"), named("CARGO", "cargo")), ("/usr/bin/rustc".into(), "/usr/bin/cargo".into())]
+        .map(|(rustc, cargo)| Toolchain { rustc, cargo, builds_core: false })
 }
 
 fn holds_core(libraries: &Path) -> bool {

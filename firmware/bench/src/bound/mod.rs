@@ -33,10 +33,14 @@ impl Frame {
         Self { words: [0; Format::Rgb565.frame_bytes() / 4], used: format.frame_bytes() / 4 }
     }
 
-    fn bytes(&mut self) -> &mut [u8] {
-        let words = &mut self.words[..self.used];
+    fn blacken(&mut self) {
+        self.words.fill(0);
+    }
+
+    fn bytes(&self) -> &[u8] {
+        let words = &self.words[..self.used];
         // SAFETY: the same memory as bytes, which have no alignment and no invalid values.
-        unsafe { core::slice::from_raw_parts_mut(words.as_mut_ptr().cast(), words.len() * 4) }
+        unsafe { core::slice::from_raw_parts(words.as_ptr().cast(), words.len() * 4) }
     }
 
     /// The address of a rectangle's first pixel, at 16 bits.
@@ -50,7 +54,7 @@ impl Frame {
 
 /// What has a lower bound in this format.
 pub const fn engine(format: Format) -> Engine<Frame> {
-    let mut engine = Engine::new("bound", format, Frame::bytes);
+    let mut engine = Engine::new("bound", format, Frame::blacken, Frame::bytes);
     match format {
         Format::Rgb565 => {
             engine.clear = Some(|frame, ink| fill(frame, u32::from(ink.0) * 0x1_0001));

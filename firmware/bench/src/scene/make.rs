@@ -139,10 +139,7 @@ pub(super) fn odd_places<const N: usize>(random: &mut Lcg) -> [Point; N] {
 
 /// Lines of 40 letters over the frame.
 pub(super) fn labels<const N: usize>(random: &mut Lcg, opaque: bool) -> [Label<'static>; N] {
-    const TEXTS: [&str; 2] = [
-        "The quick brown fox jumps over the dog. ",
-        "0123456789 (~!@#$%^&*) ABCDEFGHIJKLMNOPQ",
-    ];
+    const TEXTS: [&str; 2] = ["The quick brown fox jumps over the dog. ", "0123456789 (~!@#$%^&*) ABCDEFGHIJKLMNOPQ"];
     from_fn(|i| Label {
         text: TEXTS[i % TEXTS.len()],
         at: Point::new(random.between(0, W - 240), 12 + 14 * i as i32),
