@@ -1,0 +1,192 @@
+//! Lines against `m(k) = floor((2 k db + da) / (2 da))`, in wide integers: not one pixel differs, wherever the ends are
+//! and however small the window.
+
+mod support;
+
+use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
+use embedded_raster::{raster::line, Canvas, ClippedSpan, Rect, Steps, Surface};
+use support::{
+    hits::Hits,
+    rng::Rng,
+    scenes::{ends_of_line, window_on_line, Scale},
+    tiles, twins, Run, TILE_SIZES,
+};
+
+/// Lines per scale.
+const LINES: usize = 500_000;
+
+fn point((x, y): (i32, i32)) -> Point {
+    Point::new(x, y)
+}
+
+/// The pixels that single steps give.
+fn stepped(mut steps: Steps) -> Vec<(i32, i32)> {
+    let (dx, dy) = (if steps.goes_right() { 1 } else { -1 }, if steps.goes_down() { 1 } else { -1 });
+    let (mut x, mut y) = (steps.x(), steps.y());
+    let mut pixels = vec![];
+    for left in (0..steps.len()).rev() {
+        pixels.push((x, y));
+        let minor = steps.next_is_minor();
+        if left > 0 {
+            x += if minor || !steps.is_steep() { dx } else { 0 };
+            y += if minor || steps.is_steep() { dy } else { 0 };
+        }
+    }
+    pixels
+}
+
+/// The runs of pixels with the same row, in the order of the line.
+fn runs(pixels: &[(i32, i32)]) -> Vec<Run> {
+    let mut runs: Vec<Run> = vec![];
+    for &(x, y) in pixels {
+        match runs.last_mut() {
+            Some(last) if last.0 == y => (last.1, last.2) = (last.1.min(x), last.2.max(x + 1)),
+            _ => runs.push((y, x, x + 1)),
+        }
+    }
+    runs
+}
+
+fn spans(steps: Option<Steps>) -> Vec<Run> {
+    let mut runs = vec![];
+    if let Some(steps) = steps {
+        steps.spans(|s: ClippedSpan| runs.push((s.y(), s.x0(), s.x1())));
+    }
+    runs
+}
+
+/// Pixels, their order, and the runs they are painted in.
+fn check([a, b]: [(i32, i32); 2], window: Rect) {
+    let wanted = twins::line(a, b, window);
+    let steps = line::clip(point(a), point(b), window);
+    assert_eq!(steps.map(stepped).unwrap_or_default(), wanted, "steps from {a:?} to {b:?} in {window:?}");
+    assert_eq!(spans(steps), runs(&wanted), "spans from {a:?} to {b:?} in {window:?}");
+}
+
+fn random(scale: Scale) {
+    let mut rng = Rng::new(1 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..LINES {
+        let ends = ends_of_line(&mut rng, scale);
+        let window = window_on_line(&mut rng, ends);
+        check(ends, window);
+        seen += usize::from(line::clip(point(ends[0]), point(ends[1]), window).is_some());
+    }
+    assert!(seen > LINES / 2, "only {seen} lines were seen");
+}
+
+#[test]
+fn tiny_lines() {
+    random(Scale::Tiny);
+}
+
+#[test]
+fn screen_lines() {
+    random(Scale::Screen);
+}
+
+#[test]
+fn lines_of_a_hundred_screens() {
+    random(Scale::Hundred);
+}
+
+#[test]
+fn lines_at_the_ends_of_the_type() {
+    random(Scale::Ends);
+}
+
+#[test]
+fn every_line_of_a_small_grid_in_every_window() {
+    let all = || (0..7).flat_map(|y| (0..7).map(move |x| (x, y)));
+    for a in all() {
+        for b in all() {
+            for (x0, y0) in all().map(|(x, y)| (x - 1, y - 1)) {
+                for (w, h) in [(1, 1), (1, 4), (3, 2), (9, 9)] {
+                    check([a, b], Rect::new(x0, y0, x0 + w, y0 + h));
+                }
+            }
+        }
+    }
+}
+
+/// The worked case of the conventions, decisions included.
+#[test]
+fn the_worked_case() {
+    let (a, b) = ((20, 41), (30, 44));
+    let (pixels, decisions) = twins::bresenham(a, b);
+    assert_eq!(decisions, [-4, 2, -12, -6, 0, -14, -8, -2, 4, -10]);
+    #[rustfmt::skip]
+    let wanted = [
+        (20, 41), (21, 41), (22, 42), (23, 42), (24, 42), (25, 43), (26, 43), (27, 43), (28, 43), (29, 44), (30, 44),
+    ];
+    assert_eq!(pixels, wanted);
+    let window = Rect::new(0, 0, 64, 64);
+    assert_eq!(twins::line(a, b, window), wanted);
+    let mut steps = line::clip(point(a), point(b), window).expect("it lies in the window");
+    assert_eq!(stepped(steps), wanted);
+    for p in decisions {
+        assert_eq!(steps.next_is_minor(), p >= 0, "at decision {p}");
+    }
+}
+
+/// The rule by floor division and Bresenham's loop are the same line.
+#[test]
+fn the_two_twins_agree() {
+    let mut rng = Rng::new(77);
+    let window = Rect::new(-400, -400, 400, 400);
+    for _ in 0..5_000 {
+        let ends = [(); 2].map(|()| (rng.int(-350, 350), rng.int(-350, 350)));
+        assert_eq!(twins::bresenham(ends[0], ends[1]).0, twins::line(ends[0], ends[1], window), "{ends:?}");
+    }
+}
+
+/// A window of many pieces shows the same line as the whole.
+#[test]
+fn tiles_of_every_size_show_the_same_line() {
+    let mut rng = Rng::new(78);
+    let whole = Rect::new(-13, -7, 35, 33);
+    for _ in 0..300 {
+        let [a, b] = [(); 2].map(|()| point((rng.int(-60, 90), rng.int(-60, 90))));
+        let mut wanted = Hits::new(whole);
+        wanted.draw_line(a, b, BinaryColor::On);
+        let wanted = wanted.runs();
+        for size in TILE_SIZES {
+            let mut pieces = Hits::new(whole);
+            for tile in tiles(whole, size) {
+                pieces.add(&spans(line::clip(a, b, tile)));
+            }
+            assert_eq!(pieces.runs(), wanted, "{a} to {b} in tiles of {size:?}");
+        }
+    }
+}
+
+/// Every pixel of a line is painted once, by a surface that has nothing but spans.
+#[test]
+fn a_surface_of_spans_paints_each_pixel_once() {
+    let mut rng = Rng::new(79);
+    for _ in 0..20_000 {
+        let ends = ends_of_line(&mut rng, Scale::Screen);
+        let mut hits = Hits::new(window_on_line(&mut rng, ends));
+        hits.draw_line(point(ends[0]), point(ends[1]), BinaryColor::On);
+        let mut wanted = twins::line(ends[0], ends[1], hits.window());
+        wanted.sort_unstable_by_key(|&(x, y)| (y, x));
+        assert_eq!(hits.runs(), runs(&wanted), "{ends:?}");
+    }
+}
+
+/// The references of the report on speed against error start where the line starts, and stay near it on a screen.
+#[test]
+fn references_are_lines() {
+    let mut rng = Rng::new(80);
+    let window = Rect::new(-400, -400, 400, 400);
+    for _ in 0..2_000 {
+        let [a, b] = [(); 2].map(|()| (rng.int(-350, 350), rng.int(-350, 350)));
+        let exact = twins::line(a, b, window);
+        for other in [twins::dda(point(a), point(b)), twins::slope_and_round(point(a), point(b))] {
+            assert_eq!(other.len(), exact.len(), "{a:?} to {b:?}");
+            for (p, &(x, y)) in other.iter().zip(&exact) {
+                assert!((p.x - x).abs() + (p.y - y).abs() <= 1, "{p} is far from ({x}, {y}) on {a:?} to {b:?}");
+            }
+        }
+    }
+}

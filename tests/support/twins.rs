@@ -1,0 +1,170 @@
+//! The rules, word for word.
+
+use embedded_graphics_core::geometry::Point;
+use embedded_raster::{FillRule, Rect};
+
+use super::{runs_where, Run, Units};
+
+/// The centre of a pixel in 24.8 units.
+fn centre(pixel: i32) -> i128 {
+    i128::from(pixel) * 256 + 128
+}
+
+/// Twice the signed area of a triangle, positive when it turns clockwise on the screen (y points down).
+pub(crate) fn twice_area(a: Units, b: Units, c: Units) -> i128 {
+    edge_function(a, b, (c.0.into(), c.1.into()))
+}
+
+/// Positive on the inner side of the side from a to b of a triangle with positive area.
+fn edge_function(a: Units, b: Units, p: (i128, i128)) -> i128 {
+    let (ax, ay, bx, by) = (i128::from(a.0), i128::from(a.1), i128::from(b.0), i128::from(b.1));
+    (bx - ax) * (p.1 - ay) - (by - ay) * (p.0 - ax)
+}
+
+/// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)?
+pub(crate) fn triangle_has([a, b, c]: [Units; 3], x: i32, y: i32) -> bool {
+    let (b, c) = match twice_area(a, b, c) {
+        0 => return false,
+        area if area < 0 => (c, b),
+        _ => (b, c),
+    };
+    let inside = |from: Units, to: Units| match edge_function(from, to, (centre(x), centre(y))) {
+        // The edge function moves by dx e^2 - dy e; e decides unless its factor is zero.
+        0 => to.1 < from.1 || (to.1 == from.1 && to.0 > from.0),
+        e => e > 0,
+    };
+    inside(a, b) && inside(b, c) && inside(c, a)
+}
+
+/// The pixels of a triangle, pixel by pixel.
+pub(crate) fn triangle(corners: [Units; 3], window: Rect) -> Vec<Run> {
+    runs_where(window, |x, y| triangle_has(corners, x, y))
+}
+
+/// The sides of closed contours, the last vertex joined to the first.
+pub(crate) fn sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Units, Units)> + '_ {
+    contours.iter().flat_map(|c| (0..c.len()).map(move |i| (c[i], c[(i + 1) % c.len()])))
+}
+
+/// Does a side cross row y: `y0 <= cy < y1`?
+pub(crate) fn crosses_row(a: Units, b: Units, y: i32) -> bool {
+    let cy = centre(y);
+    i128::from(a.1.min(b.1)) <= cy && cy < i128::from(a.1.max(b.1))
+}
+
+/// The winding number and the number of sides at or left of the centre of a pixel.
+pub(crate) fn crossings(contours: &[Vec<Units>], x: i32, y: i32) -> (i32, u32) {
+    let (mut winding, mut count) = (0, 0);
+    for (a, b) in sides(contours) {
+        if !crosses_row(a, b, y) {
+            continue;
+        }
+        let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
+        // The crossing ux + (cy - uy) dx / dy is at or left of cx.
+        let (dx, dy) = (i128::from(lower.0) - i128::from(upper.0), i128::from(lower.1) - i128::from(upper.1));
+        let (ux, uy) = (i128::from(upper.0), i128::from(upper.1));
+        if (centre(y) - uy) * dx <= (centre(x) - ux) * dy {
+            winding += sign;
+            count += 1;
+        }
+    }
+    (winding, count)
+}
+
+/// Is the centre of a pixel inside a polygon?
+pub(crate) fn polygon_has(contours: &[Vec<Units>], rule: FillRule, x: i32, y: i32) -> bool {
+    let (winding, count) = crossings(contours, x, y);
+    match rule {
+        FillRule::NonZero => winding != 0,
+        FillRule::EvenOdd => count % 2 == 1,
+    }
+}
+
+/// The pixels of a polygon, pixel by pixel.
+pub(crate) fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run> {
+    runs_where(window, |x, y| polygon_has(contours, rule, x, y))
+}
+
+/// How many sides cross a row.
+pub(crate) fn sides_on_row(contours: &[Vec<Units>], y: i32) -> usize {
+    sides(contours).filter(|&(a, b)| crosses_row(a, b, y)).count()
+}
+
+/// The pixels of a sub-pixel rectangle: left and top sides in, right and bottom sides out.
+pub(crate) fn rectangle(a: Units, b: Units, window: Rect) -> Vec<Run> {
+    let within = |c: i128, u: i32, v: i32| i128::from(u.min(v)) <= c && c < i128::from(u.max(v));
+    runs_where(window, |x, y| within(centre(x), a.0, b.0) && within(centre(y), a.1, b.1))
+}
+
+/// The pixels of a line that lie in a window, in the order of the line: after k steps along the longer axis
+/// `m(k) = floor((2 k db + da) / (2 da))` along the other.
+///
+/// It walks the window's columns (or rows), not the line's, so that lines may be as long as they like.
+pub(crate) fn line(a: (i32, i32), b: (i32, i32), window: Rect) -> Vec<(i32, i32)> {
+    let (dx, dy) = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+    if dy.abs() > dx.abs() {
+        // Steep: the same with the axes exchanged.
+        let turned = Rect::new(window.y0, window.x0, window.y1, window.x1);
+        return line((a.1, a.0), (b.1, b.0), turned).into_iter().map(|(y, x)| (x, y)).collect();
+    }
+    let (da, db) = (dx.abs(), dy.abs());
+    let pixel = |x: i32| {
+        let k = (i128::from(x) - i128::from(a.0)) * if dx < 0 { -1 } else { 1 };
+        if k < 0 || k > da {
+            return None;
+        }
+        let m = if da == 0 { 0 } else { (2 * k * db + da).div_euclid(2 * da) };
+        let y = i128::from(a.1) + if dy < 0 { -m } else { m };
+        (i128::from(window.y0) <= y && y < i128::from(window.y1)).then_some((x, y as i32))
+    };
+    let mut pixels: Vec<_> = (window.x0..window.x1).filter_map(pixel).collect();
+    if dx < 0 {
+        pixels.reverse();
+    }
+    pixels
+}
+
+/// Bresenham's loop itself, unclipped: the pixels and the decision before each step. `p` starts at `2 db - da`; at
+/// `p >= 0` the minor axis steps.
+pub(crate) fn bresenham(a: (i32, i32), b: (i32, i32)) -> (Vec<(i32, i32)>, Vec<i64>) {
+    let (dx, dy) = (i64::from(b.0) - i64::from(a.0), i64::from(b.1) - i64::from(a.1));
+    let (sx, sy) = (dx.signum() as i32, dy.signum() as i32);
+    let (da, db) = (dx.abs().max(dy.abs()), dx.abs().min(dy.abs()));
+    let (mut p, mut at) = (2 * db - da, a);
+    let (mut pixels, mut decisions) = (vec![a], vec![]);
+    for _ in 0..da {
+        decisions.push(p);
+        let minor = p >= 0;
+        let (step_x, step_y) = if dy.abs() > dx.abs() { (minor, true) } else { (true, minor) };
+        at = (at.0 + if step_x { sx } else { 0 }, at.1 + if step_y { sy } else { 0 });
+        p += 2 * db - if minor { 2 * da } else { 0 };
+        pixels.push(at);
+    }
+    (pixels, decisions)
+}
+
+/// A line by a digital differential analyser in 16.16: one rounded slope, added again and again. A reference for the
+/// report on speed against error, *not* exact: the slope is off by up to half a unit and the error grows along the line.
+pub(crate) fn dda(a: Point, b: Point) -> Vec<Point> {
+    let (dx, dy) = (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y));
+    let n = dx.abs().max(dy.abs());
+    let slope = |d: i64| if n == 0 { 0 } else { ((d << 17) + n).div_euclid(2 * n) };
+    let (mut x, mut y) = ((i64::from(a.x) << 16) + 0x8000, (i64::from(a.y) << 16) + 0x8000);
+    let mut pixels = vec![];
+    for _ in 0..=n {
+        pixels.push(Point::new((x >> 16) as i32, (y >> 16) as i32));
+        (x, y) = (x + slope(dx), y + slope(dy));
+    }
+    pixels
+}
+
+/// A line by the textbook's first method: slope times distance, rounded, in `f32`. A reference for the same report.
+pub(crate) fn slope_and_round(a: Point, b: Point) -> Vec<Point> {
+    let (dx, dy) = (b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
+    let n = dx.abs().max(dy.abs());
+    let at = |k: i32, from: i32, d: i32| {
+        let slope = if n == 0 { 0.0 } else { d as f32 / n as f32 };
+        (from as f32 + k as f32 * slope).round() as i32
+    };
+    (0..=n).map(|k| Point::new(at(k, a.x, dx), at(k, a.y, dy))).collect()
+}
