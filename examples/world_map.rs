@@ -1,0 +1,218 @@
+//! The countries of the world in a framebuffer of 320 x 240 pixels at 4 bits each: 38,400 bytes.
+//!
+//! `cargo run --release --example world_map` writes `world_map.png` and shows it in the terminal; `-- --help` tells the rest.
+//! How a country is drawn stands in `simulator/src/world/scene.rs`: a call of `fill_contours`, and `draw_line` for borders.
+
+use std::{error::Error, fs, process::ExitCode};
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_raster::{
+    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, surface::Counter, Edge, Framebuffer, Index1, Index2, Index4,
+    Index8,
+};
+use embedded_raster_simulator::{
+    show,
+    world::{Depth, Layer, Map, Projection, Screen, World},
+    Key, Picture, Shot,
+};
+
+const USAGE: &str = "\
+usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectangular|robinson|miller]
+                 [--band ROWS] [--input FILE] [--window]
+
+--band ROWS    draws the screen in bands of that many rows: the same picture with less memory
+--input FILE   another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
+--window       shows it: D depth, P projection, L layer, C cycles the palette, Esc quits";
+
+/// Edges of the scratch table, at 32 bytes each. No row of any country has more at this size; with fewer, the filler
+/// halves the rows that it works on at a time.
+const EDGES: usize = 64;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("world_map: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let Some(options) = Options::from_command_line()? else {
+        println!("{USAGE}");
+        return Ok(());
+    };
+    let map = match &options.input {
+        None => Map::parse(include_bytes!("../assets/world-110m.txt"))?,
+        Some(path) => fs::read(path)
+            .map_err(|error| format!("{path}: {error}"))
+            .and_then(|text| Map::parse(&text).map_err(|error| format!("{path}: {error}")))?,
+    };
+    if options.window {
+        return watch(&map, options);
+    }
+    let world = World::new(&map, options.screen);
+    let drawing = draw(&world, &options, 0)?;
+    drawing.picture.write_png("world_map.png")?;
+    print!("{}", drawing.picture.preview(100));
+    report(&map, &world, &options, &drawing)
+}
+
+/// A drawn map.
+struct Drawing {
+    picture: Picture,
+    /// Bytes of the framebuffer, or of a band of it.
+    memory: usize,
+    /// Pixels written, counted anew each time.
+    pixels: u64,
+}
+
+/// Draws at the depth that was asked for.
+fn draw(world: &World, options: &Options, turns: usize) -> Result<Drawing, embedded_raster::Error> {
+    match options.bits {
+        1 => draw_as::<Index1>(world, options, turns),
+        2 => draw_as::<Index2>(world, options, turns),
+        4 => draw_as::<Index4>(world, options, turns),
+        8 => draw_as::<Index8>(world, options, turns),
+        16 => draw_as::<Rgb565>(world, options, turns),
+        24 => draw_as::<Rgb888>(world, options, turns),
+        _ => draw_as::<Xrgb8888>(world, options, turns),
+    }
+}
+
+/// Draws band by band; without `--band`, the whole screen is the only one.
+fn draw_as<C: Depth>(world: &World, options: &Options, turns: usize) -> Result<Drawing, embedded_raster::Error> {
+    let Screen { width, height, .. } = options.screen;
+    let rows = options.band.unwrap_or(height).clamp(1, height.max(1));
+    let mut table = [Edge::EMPTY; EDGES];
+    let mut ram = vec![0; buffer_bytes::<C>(width, rows)];
+    // What a display would have received: each band is sent before the next one is drawn in the same memory.
+    let mut screen = Vec::with_capacity(buffer_bytes::<C>(width, height));
+    for start in (0..height).step_by(rows.into()) {
+        let end = height.min(start.saturating_add(rows));
+        let mut frame = Framebuffer::<C>::band(&mut ram, width, height, start..end)?;
+        world.draw(&mut frame, &mut table, options.layer, C::ink)?;
+        screen.extend_from_slice(frame.row_bytes(start..end));
+    }
+    let mut counter = Counter::new(world.window());
+    world.draw(&mut counter, &mut table, options.layer, C::ink)?;
+    let frame = Framebuffer::<C>::new(&mut screen, width, height)?;
+    Ok(Drawing {
+        picture: C::picture(&frame, turns),
+        memory: row_bytes::<C>(width) * usize::from(rows),
+        pixels: counter.pixels,
+    })
+}
+
+/// Says what it took and what was covered.
+fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Result<(), Box<dyn Error>> {
+    let Screen { projection, width, height } = options.screen;
+    let mut table = [Edge::EMPTY; EDGES];
+    let (areas, globe) = (world.areas(&mut table)?, world.globe(&mut table)?);
+    let land: u64 = areas.iter().sum();
+    let vertices: usize = map.countries.iter().flat_map(|country| &country.rings).map(Vec::len).sum();
+    let what = if options.band.is_some() { "band" } else { "framebuffer" };
+    println!("world_map.png: {width} x {height} at {} bits per pixel, {} projection", options.bits, projection.name());
+    println!("RAM: {} bytes of {what}, {} of edge table", drawing.memory, size_of_val(&table));
+    println!("drawn: {} countries, {vertices} vertices, {} pixels written", areas.len(), drawing.pixels);
+    println!("covered: {land} pixels of land, {} of sea", globe.saturating_sub(land));
+    let mut sizes: Vec<_> =
+        areas.iter().zip(&map.countries).map(|(&area, country)| (area, &country.name[..])).collect();
+    sizes.sort_unstable_by(|a, b| b.cmp(a));
+    let named =
+        |list: &[(u64, &str)]| list.iter().map(|(area, name)| format!("{name} {area}")).collect::<Vec<_>>().join(", ");
+    let seen = sizes.iter().take_while(|(area, _)| *area > 0).count();
+    println!("largest: {}", named(&sizes[..seen.min(3)]));
+    println!("smallest: {}", named(&sizes[seen.saturating_sub(3)..seen]));
+    let unseen: Vec<_> = sizes[seen..].iter().map(|(_, name)| *name).collect();
+    println!("without a pixel: {}", if unseen.is_empty() { "none".into() } else { unseen.join(", ") });
+    Ok(())
+}
+
+/// Shows the map in a window, and does what the keys say.
+fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
+    let (mut turns, mut frames, mut is_cycling, mut shot) = (0, 0_usize, false, None);
+    show("world map", |keys| {
+        for key in keys {
+            match key {
+                Key::D => options.bits = next(&[1, 2, 4, 8, 16, 24, 32], options.bits),
+                Key::P => options.screen.projection = next(&Projection::ALL, options.screen.projection),
+                Key::L => options.layer = next(&Layer::ALL, options.layer),
+                Key::C => is_cycling = !is_cycling,
+                _ => continue,
+            }
+            shot = None;
+        }
+        frames += 1;
+        if is_cycling && frames % 10 == 0 {
+            (turns, shot) = (turns + 1, None);
+        }
+        if let Some(shot) = &shot {
+            return Ok(Shot::clone(shot));
+        }
+        let drawing = draw(&World::new(map, options.screen), &options, turns)?;
+        let caption = format!("{} bits, {}, {}", options.bits, options.screen.projection.name(), options.layer.name());
+        let new = Shot { picture: drawing.picture, caption, ram: drawing.memory, drawn: drawing.pixels };
+        Ok(shot.insert(new).clone())
+    })
+}
+
+/// The one after `current`, the first one after the last.
+fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
+    let at = all.iter().position(|&one| one == current).unwrap_or(0);
+    all[(at + 1) % all.len()]
+}
+
+struct Options {
+    bits: u32,
+    screen: Screen,
+    layer: Layer,
+    band: Option<u16>,
+    input: Option<String>,
+    window: bool,
+}
+
+impl Options {
+    /// `None` if help was asked for.
+    fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
+        use lexopt::prelude::*;
+        let screen = Screen { projection: Projection::default(), width: 320, height: 240 };
+        let mut options = Self { bits: 4, screen, layer: Layer::Countries, band: None, input: None, window: false };
+        let mut arguments = lexopt::Parser::from_env();
+        while let Some(argument) = arguments.next()? {
+            match argument {
+                Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
+                Long("size") => {
+                    (options.screen.width, options.screen.height) = arguments.value()?.parse_with(parse_size)?;
+                }
+                Long("projection") => options.screen.projection = arguments.value()?.parse_with(parse_projection)?,
+                Long("band") => options.band = Some(arguments.value()?.parse_with(parse_rows)?),
+                Long("input") => options.input = Some(arguments.value()?.string()?),
+                Long("window") => options.window = true,
+                Short('h') | Long("help") => return Ok(None),
+                _ => return Err(argument.unexpected()),
+            }
+        }
+        Ok(Some(options))
+    }
+}
+
+fn parse_bits(text: &str) -> Result<u32, &'static str> {
+    let bits = text.parse().ok().filter(|bits| [1, 2, 4, 8, 16, 24, 32].contains(bits));
+    bits.ok_or("one of 1, 2, 4, 8, 16, 24, 32")
+}
+
+fn parse_size(text: &str) -> Result<(u16, u16), &'static str> {
+    let size = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    size.filter(|&(w, h)| w > 0 && h > 0).ok_or("WIDTHxHEIGHT, from 1x1 to 65535x65535")
+}
+
+fn parse_rows(text: &str) -> Result<u16, &'static str> {
+    text.parse().ok().filter(|&rows| rows > 0).ok_or("rows from 1 on")
+}
+
+fn parse_projection(text: &str) -> Result<Projection, &'static str> {
+    let found = Projection::ALL.into_iter().find(|projection| projection.name() == text);
+    found.ok_or("equirectangular, robinson or miller")
+}

@@ -1,0 +1,30 @@
+//! Shows what embedded-raster draws, without hardware.
+//!
+//! A [`Picture`] is a copy of a framebuffer: indices with their palette, or colours. It becomes a PNG
+//! ([`write_png`](Picture::write_png)), a preview in the terminal ([`preview`](Picture::preview)), a window ([`show`]), or
+//! one side of a comparison ([`difference`](Picture::difference)).
+//! ```text
+//!   framebuffer + palette  --->  Picture  --->  PNG, terminal, window, difference
+//! ```
+//! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth.
+//! ```
+//! use embedded_graphics_core::geometry::Point;
+//! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
+//! use embedded_raster_simulator::Picture;
+//! let mut ram = [0; buffer_bytes::<Index4>(64, 48)];
+//! let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
+//! frame.draw_line(Point::new(0, 0), Point::new(63, 47), Index4::new(14));
+//! println!("{}", Picture::indexed(&frame, &EGA).preview(40));
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
+
+mod difference;
+mod picture;
+mod png;
+mod preview;
+mod window;
+pub mod world;
+
+pub use difference::Difference;
+pub use picture::{Picture, Pixels};
+pub use window::{show, Key, Shot, WindowError};
