@@ -132,8 +132,10 @@ fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Res
 
 /// Shows the map in a window, and does what the keys say.
 fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
-    let (mut turns, mut frames, mut is_cycling, mut shot) = (0, 0_usize, false, None);
-    show("world map", |keys| {
+    let (mut turns, mut ticks, mut is_cycling) = (0, 0_u32, false);
+    let first = shoot(map, &options, turns)?;
+    show("world map", first, |keys| {
+        let mut is_new = false;
         for key in keys {
             match key {
                 Key::D => options.bits = next(&[1, 2, 4, 8, 16, 24, 32], options.bits),
@@ -142,20 +144,22 @@ fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
                 Key::C => is_cycling = !is_cycling,
                 _ => continue,
             }
-            shot = None;
+            is_new = true;
         }
-        frames += 1;
-        if is_cycling && frames % 10 == 0 {
-            (turns, shot) = (turns + 1, None);
+        ticks = ticks.wrapping_add(1);
+        if is_cycling && ticks % 10 == 0 {
+            turns += 1;
+            is_new = true;
         }
-        if let Some(shot) = &shot {
-            return Ok(Shot::clone(shot));
-        }
-        let drawing = draw(&World::new(map, options.screen), &options, turns)?;
-        let caption = format!("{} bits, {}, {}", options.bits, options.screen.projection.name(), options.layer.name());
-        let new = Shot { picture: drawing.picture, caption, ram: drawing.memory, drawn: drawing.pixels };
-        Ok(shot.insert(new).clone())
+        is_new.then(|| shoot(map, &options, turns)).transpose()
     })
+}
+
+/// What the window shows, and what its title says of it.
+fn shoot(map: &Map, options: &Options, turns: usize) -> Result<Shot, Box<dyn Error>> {
+    let Drawing { picture, memory: ram, pixels: drawn } = draw(&World::new(map, options.screen), options, turns)?;
+    let caption = format!("{} bits, {}, {}", options.bits, options.screen.projection.name(), options.layer.name());
+    Ok(Shot { picture, caption, ram, drawn })
 }
 
 /// The one after `current`, the first one after the last.

@@ -19,29 +19,35 @@ pub struct Shot {
     pub drawn: u64,
 }
 
-/// Opens a window and shows what `shoot` returns, sixty times a second, until the window or Esc is closed.
+/// Opens a window, shows `first` and then what `shoot` returns, until Esc is pressed or the window is closed.
 ///
-/// Each call gets the keys pressed since the last one. The picture is drawn at the largest integer zoom that fits the
-/// window, which can be resized.
+/// `shoot` is called sixty times a second with the keys pressed since the last call; `None` leaves the picture as it is. It
+/// is drawn at the largest integer zoom that fits the window, which can be resized.
 ///
 /// # Errors
 /// If no window can be opened, such as without a display, and those of `shoot`.
-pub fn show<E: From<WindowError>>(title: &str, mut shoot: impl FnMut(&[Key]) -> Result<Shot, E>) -> Result<(), E> {
-    let mut shot = shoot(&[])?;
-    let (width, height) = first_size(&shot.picture);
+pub fn show<E: From<WindowError>>(
+    title: &str,
+    first: Shot,
+    mut shoot: impl FnMut(&[Key]) -> Result<Option<Shot>, E>,
+) -> Result<(), E> {
+    let (width, height) = first_size(&first.picture);
     let options = WindowOptions { resize: true, scale_mode: ScaleMode::UpperLeft, ..WindowOptions::default() };
-    let mut window = Window::new(title, width, height, options)?;
+    let mut window = Window::new(&title_of(title, &first), width, height, options)?;
     window.set_target_fps(60);
-    let mut title_shown = String::new();
+    let (mut shot, mut shown_size) = (first, None);
     while window.is_open() && !window.is_key_down(Key::Escape) {
-        let wanted = title_of(title, &shot);
-        if wanted != title_shown {
-            window.set_title(&wanted);
-            title_shown = wanted;
+        let size @ (width, height) = window.get_size();
+        if shown_size == Some(size) {
+            window.update();
+        } else {
+            window.update_with_buffer(&fitted(&shot.picture, width, height), width, height)?;
+            shown_size = Some(size);
         }
-        let (width, height) = window.get_size();
-        window.update_with_buffer(&fitted(&shot.picture, width, height), width, height)?;
-        shot = shoot(&window.get_keys_pressed(KeyRepeat::Yes))?;
+        if let Some(new) = shoot(&window.get_keys_pressed(KeyRepeat::Yes))? {
+            window.set_title(&title_of(title, &new));
+            (shot, shown_size) = (new, None);
+        }
     }
     Ok(())
 }

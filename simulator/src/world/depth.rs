@@ -59,7 +59,7 @@ pub const PALETTE: Palette<Rgb888, 16> = Palette::new([
     rgb(0xfb_f9_f3),
     rgb(0xb9_d8_ea),
     rgb(0xa6_cb_e1),
-    rgb(0x5f_8f_b0),
+    rgb(0x6b_9a_bb),
     rgb(0x7a_5c_48),
     rgb(0xf4_dc_a3),
     rgb(0xc8_df_9f),

@@ -117,6 +117,12 @@ impl Screen {
         )
     }
 
+    /// The corners of the screen.
+    pub fn corners(self) -> [Vertex; 4] {
+        let (w, h) = (self.width.into(), self.height.into());
+        [(0, 0), (w, 0), (w, h), (0, h)].map(|(x, y)| Vertex::px(x, y))
+    }
+
     /// Half the equator in 1/256 pixel: as much as the width and the height have room for.
     fn half_width(self) -> i64 {
         let [_, heights] = self.projection.tables();

@@ -78,11 +78,12 @@ impl World {
         layer: Layer,
         ink: impl Fn(Part) -> S::Color,
     ) -> Result<(), Error> {
-        surface.fill_window(ink(Part::Paper));
-        surface.fill_polygon(&self.rim, FillRule::NonZero, table, ink(Part::Sea))?;
+        surface.fill_window(ink(Part::Sea));
         for line in &self.grid {
             surface.draw_polyline(line.iter().copied(), ink(Part::Grid));
         }
+        // The screen with the globe as a hole in it.
+        surface.fill_contours([&self.screen.corners()[..], &self.rim], FillRule::EvenOdd, table, ink(Part::Paper))?;
         match layer {
             Layer::Borders => {}
             Layer::Continents => {
