@@ -77,34 +77,37 @@ impl ClippedSpan {
     }
 }
 
-/// The visible pixels of a one pixel wide line: where it enters the window, and when it steps aside.
+/// The visible pixels of a one pixel wide line, from the top down: where it enters the window, where it leaves it, and when
+/// it steps aside.
 ///
-/// From pixel to pixel the line moves by one along its major axis, and sometimes by one along the minor axis too.
+/// From pixel to pixel the line moves by one along its major axis, and sometimes by one along the minor axis too. A line
+/// that was drawn upwards is turned round, with its ties.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Steps {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
+    pub(crate) first: (i32, i32),
+    pub(crate) last: (i32, i32),
     pub(crate) len: u32,
     pub(crate) right: bool,
-    pub(crate) down: bool,
     pub(crate) steep: bool,
-    /// Bresenham's decision, kept as `r + 2^32 - da`: see [`next_is_minor`](Self::next_is_minor).
+    /// Bresenham's decision: `r - da`, where `r < da` is the remainder of the minor steps made so far.
     pub(crate) rest: u32,
+    /// Length along the minor axis of the whole line.
     pub(crate) minor: u32,
+    /// Length along the major axis of the whole line.
     pub(crate) major: u32,
 }
 
 impl Steps {
-    /// Column of the first visible pixel.
+    /// Column and row of the first visible pixel.
     #[inline(always)]
-    pub const fn x(&self) -> i32 {
-        self.x
+    pub const fn first(&self) -> (i32, i32) {
+        self.first
     }
 
-    /// Row of the first visible pixel.
+    /// Column and row of the last visible pixel, which is not above the first.
     #[inline(always)]
-    pub const fn y(&self) -> i32 {
-        self.y
+    pub const fn last(&self) -> (i32, i32) {
+        self.last
     }
 
     /// Number of visible pixels, at least 1.
@@ -126,10 +129,11 @@ impl Steps {
         self.right
     }
 
-    /// Whether steps along y go down.
+    /// The rectangle of the visible pixels, if the line is horizontal or vertical.
     #[inline(always)]
-    pub const fn goes_down(&self) -> bool {
-        self.down
+    pub(crate) fn straight(&self) -> Option<Rect> {
+        let ((x0, y0), (x1, y1)) = (self.first, self.last);
+        (self.minor == 0).then(|| Rect::new(x0.min(x1), y0, x0.max(x1).wrapping_add(1), y1.wrapping_add(1)))
     }
 
     /// Decides the step to the next pixel: does it move along the minor axis too?
@@ -140,25 +144,21 @@ impl Steps {
         carry
     }
 
-    /// Emits the pixels as spans, in the order of the line: one a row for a steep line, whole runs for a flat one.
+    /// Emits the pixels as spans, top row first: one pixel a row for a steep line, runs for a flat one.
     pub fn spans(mut self, mut emit: impl FnMut(ClippedSpan)) {
-        let (dx, dy) = (if self.right { 1 } else { -1 }, if self.down { 1 } else { -1 });
-        let (mut x, mut y) = (self.x, self.y);
+        let aside = if self.right { 1 } else { -1 };
+        let (mut x, mut y) = self.first;
         let mut start = x;
         for left in (0..self.len).rev() {
             let minor = self.next_is_minor();
             if left == 0 || minor || self.steep {
                 emit(ClippedSpan { y, x0: start.min(x), x1: start.max(x).wrapping_add(1) });
             }
-            if self.steep {
-                y = y.wrapping_add(dy);
-                x = if minor { x.wrapping_add(dx) } else { x };
-                start = x;
-            } else {
-                x = x.wrapping_add(dx);
-                if minor {
-                    (y, start) = (y.wrapping_add(dy), x);
-                }
+            if !self.steep || minor {
+                x = x.wrapping_add(aside);
+            }
+            if self.steep || minor {
+                (y, start) = (y.wrapping_add(1), x);
             }
         }
     }

@@ -21,8 +21,8 @@ fn point((x, y): (i32, i32)) -> Point {
 
 /// The pixels that single steps give.
 fn stepped(mut steps: Steps) -> Vec<(i32, i32)> {
-    let (dx, dy) = (if steps.goes_right() { 1 } else { -1 }, if steps.goes_down() { 1 } else { -1 });
-    let (mut x, mut y) = (steps.x(), steps.y());
+    let (dx, dy) = (if steps.goes_right() { 1 } else { -1 }, 1);
+    let (mut x, mut y) = steps.first();
     let mut pixels = vec![];
     for left in (0..steps.len()).rev() {
         pixels.push((x, y));
@@ -35,7 +35,7 @@ fn stepped(mut steps: Steps) -> Vec<(i32, i32)> {
     pixels
 }
 
-/// The runs of pixels with the same row, in the order of the line.
+/// The runs of pixels with the same row, in their order.
 fn runs(pixels: &[(i32, i32)]) -> Vec<Run> {
     let mut runs: Vec<Run> = vec![];
     for &(x, y) in pixels {
@@ -57,7 +57,10 @@ fn spans(steps: Option<Steps>) -> Vec<Run> {
 
 /// Pixels, their order, and the runs they are painted in.
 fn check([a, b]: [(i32, i32); 2], window: Rect) {
-    let wanted = twins::line(a, b, window);
+    let mut wanted = twins::line(a, b, window);
+    if b.1 < a.1 {
+        wanted.reverse(); // lines are handed over from the top down
+    }
     let steps = line::clip(point(a), point(b), window);
     assert_eq!(steps.map(stepped).unwrap_or_default(), wanted, "steps from {a:?} to {b:?} in {window:?}");
     assert_eq!(spans(steps), runs(&wanted), "spans from {a:?} to {b:?} in {window:?}");

@@ -63,6 +63,15 @@ pub(crate) fn ceil_ratio(a: u32, m: u32, h: u32, b: NonZeroU32) -> u32 {
     q.wrapping_add(u32::from(r != 0))
 }
 
+/// `ceil(2^32 n / d)` for `n < d < 2^16`, in two 32-bit divisions.
+#[inline]
+pub(crate) fn fraction(n: u32, d: u32) -> u32 {
+    let Some(d) = NonZeroU32::new(d) else { return 0 };
+    let (high, rest) = ((n << 16) / d, (n << 16) % d);
+    let (low, rest) = ((rest << 16) / d, (rest << 16) % d);
+    (high << 16).wrapping_add(low).wrapping_add(u32::from(rest != 0))
+}
+
 /// `n >> 8` after adding one half pixel, without overflow: the first pixel whose centre lies *right of* `n` 24.8 units.
 #[inline(always)]
 pub(crate) fn first_centre_after(n: i32) -> i32 {
@@ -131,6 +140,15 @@ mod tests {
                     let (got, rest) = div_rem_wide(q * d64 + r, d);
                     assert_eq!((u64::from(got), u64::from(rest)), (q, r), "divisor {d}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn fractions_are_rounded_up() {
+        for d in [1_u32, 2, 3, 7, 255, 256, 997, 32_768, 65_535] {
+            for n in (0..d).step_by(d as usize / 50 + 1) {
+                assert_eq!(u64::from(fraction(n, d)), ((u64::from(n) << 32).div_ceil(u64::from(d))), "{n} / {d}");
             }
         }
     }

@@ -17,15 +17,16 @@
 //! [`Paged`](crate::surface::Paged).) A format of your own is a colour type of your own: implement `PixelColor` for it and
 //! conversions from and to its raw data.
 //!
-//! Rows of pixels are written here too: [`packed`] knows bytes that hold several pixels, [`word`] pixels that take whole
-//! bytes.
+//! Runs of pixels are written here too: `packed` knows bytes that hold several pixels, `word` pixels that take whole bytes,
+//! and `walk` the steps of lines.
 
 use embedded_graphics_core::pixelcolor::{raw::RawData, PixelColor};
 
 mod color;
 pub(crate) mod packed;
 mod palette;
-pub(crate) mod word;
+pub(crate) mod walk;
+mod word;
 
 pub use color::{Index1, Index2, Index4, Index8, Rgb332, Xrgb8888};
 pub use palette::{Palette, EGA};
@@ -131,10 +132,35 @@ pub const fn buffer_bytes<F: PixelFormat>(width: u16, height: u16) -> usize {
 pub(crate) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1: usize, bits: u32) {
     if F::BITS < 8 {
         packed::fill::<F>(memory, row, x0, x1, bits);
-    } else {
-        if let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
-            word::fill::<F>(run, bits);
+    } else if let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
+        word::fill::<F>(run, bits);
+    }
+}
+
+/// The same for `rows` rows, at least one, that start `stride` bytes apart.
+#[inline(always)]
+pub(crate) fn fill_rows<F: PixelFormat>(
+    memory: &mut [u8],
+    stride: usize,
+    (first_row, rows): (usize, usize),
+    (x0, x1): (usize, usize),
+    bits: u32,
+) {
+    if F::BITS < 8 {
+        for y in 0..rows {
+            packed::fill::<F>(memory, first_row.wrapping_add(y.wrapping_mul(stride)), x0, x1, bits);
         }
+        return;
+    }
+    let last_row = first_row.wrapping_add(rows.wrapping_sub(1).wrapping_mul(stride));
+    let len = byte::<F>(0, x1).wrapping_sub(byte::<F>(0, x0));
+    let Some(all) = memory.get_mut(byte::<F>(first_row, x0)..byte::<F>(last_row, x1)) else { return };
+    if len == stride {
+        // Rows without a gap are one long run.
+        let len = all.len();
+        word::fill_area::<F>(all, stride.max(len), len, bits);
+    } else {
+        word::fill_area::<F>(all, stride, len, bits);
     }
 }
 
@@ -200,6 +226,14 @@ pub(crate) fn copy_keyed<F: PixelFormat>(
     n: usize,
     key: u32,
 ) {
+    if F::BITS >= 8 {
+        let to = to.get_mut(byte::<F>(to_row, to_x)..byte::<F>(to_row, to_x.wrapping_add(n)));
+        let from = from.get(byte::<F>(from_row, from_x)..byte::<F>(from_row, from_x.wrapping_add(n)));
+        if let (Some(to), Some(from)) = (to, from) {
+            word::copy_keyed::<F>(to, from, key);
+        }
+        return;
+    }
     for i in 0..n {
         let bits = get::<F>(from, from_row, from_x.wrapping_add(i));
         if bits != key {

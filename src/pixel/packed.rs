@@ -92,7 +92,7 @@ pub(super) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1:
         Some([only]) => *only = merge(*only, byte, head_mask & tail_mask),
         Some([head, middle @ .., tail]) => {
             *head = merge(*head, byte, head_mask);
-            word::fill_bytes(middle, byte);
+            word::fill_span(middle, u32::from(byte).wrapping_mul(0x0101_0101));
             *tail = merge(*tail, byte, tail_mask);
         }
         _ => {}

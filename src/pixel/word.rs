@@ -1,63 +1,481 @@
 //! 8, 16, 24 and 32 bits per pixel: whole bytes, the least significant one first.
+//!
+//! A run of one colour is a pattern of 1, 2, 3 or 4 bytes. All but the third repeat in a 32-bit word, so a run is filled by
+//! words: a head and a tail, and aligned words between. How the words are written is shaped by what compilers make of it
+//! on small cores: see [`fill_span`] and [`fill_rows`].
 
-use super::PixelFormat;
+use core::{hint::black_box, mem::take};
+
+use bytemuck::{cast_mut, cast_ref, pod_align_to, pod_align_to_mut};
+
+use super::{bytes_per_pixel, PixelFormat};
 use crate::num::cast::{low_u16, low_u8};
 
-/// Fills whole bytes with one byte.
+/// Cores that store words at any address. Only a hint for speed: both sides of every test draw the same bytes.
+/// (Among the Cortex-M, atomic compare-and-swap tells Armv7-M and later from Armv6-M.)
+pub(super) const UNALIGNED: bool = cfg!(any(
+    all(target_arch = "arm", target_has_atomic = "32"),
+    target_arch = "x86",
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_arch = "wasm32"
+));
+
+/// Keeps the loop around it as it is written: an empty piece of assembly, without instructions. Unrolled at run time, a
+/// loop of four instructions gets ten of prologue, and multiple stores are taken apart.
 #[inline(always)]
-pub(crate) fn fill_bytes(run: &mut [u8], byte: u8) {
-    run.fill(byte);
+pub(super) fn keep_rolled() {
+    black_box(());
+}
+
+/// A word full of pixels, for the formats that repeat in one.
+#[inline(always)]
+fn word<F: PixelFormat>(bits: u32) -> u32 {
+    match F::BITS {
+        8 => u32::from(low_u8(bits)).wrapping_mul(0x0101_0101),
+        16 => u32::from(low_u16(bits)).wrapping_mul(0x1_0001),
+        _ => bits,
+    }
 }
 
 /// Fills a run of whole pixels.
 #[inline(always)]
 pub(super) fn fill<F: PixelFormat>(run: &mut [u8], bits: u32) {
-    match F::BITS {
-        8 => fill_bytes(run, low_u8(bits)),
-        16 => fill_pattern(run, low_u16(bits).to_le_bytes()),
-        24 => {
-            let [a, b, c, _] = bits.to_le_bytes();
-            fill_pattern(run, [a, b, c]);
-        }
-        _ => fill_pattern(run, bits.to_le_bytes()),
+    if F::BITS == 24 {
+        fill_span24(run, bits);
+    } else {
+        fill_span(run, word::<F>(bits));
     }
 }
 
+/// Fills rows of `len` bytes, the first at the start of `memory` and each `stride` bytes after the last, until it ends.
 #[inline(always)]
-fn fill_pattern<const N: usize>(run: &mut [u8], pixel: [u8; N]) {
-    for place in run.chunks_exact_mut(N) {
-        place.copy_from_slice(&pixel);
+pub(super) fn fill_area<F: PixelFormat>(memory: &mut [u8], stride: usize, len: usize, bits: u32) {
+    if F::BITS == 24 {
+        rows(memory, stride, len, |row| fill_span24(row, bits));
+    } else if len == bytes_per_pixel::<F>() && len < stride {
+        fill_column::<F>(memory, stride, bits);
+    } else {
+        fill_rows(memory, stride, len, word::<F>(bits));
     }
+}
+
+/// Calls `f` with each row. Cutting the slice row by row costs 7 instructions a row on Cortex-M4, `chunks_mut` 11.
+#[inline(always)]
+fn rows(mut memory: &mut [u8], stride: usize, len: usize, mut f: impl FnMut(&mut [u8])) {
+    while let Some(row) = memory.get_mut(..len) {
+        f(row);
+        let Some(rest) = take(&mut memory).get_mut(stride..) else { return };
+        memory = rest;
+    }
+}
+
+/// Fills one run with a pattern of 1, 2 or 4 bytes, given as the word that starts at its first byte; the length is a
+/// multiple of the pattern's.
+///
+/// Where words can be stored anywhere, up to 32 bytes are two halves that overlap: each store is at a fixed distance from
+/// the start or from the end, so there is no loop. Longer runs overlap a word at each end with the aligned words between.
+#[inline(always)]
+pub(super) fn fill_span(run: &mut [u8], word: u32) {
+    if UNALIGNED && run.len() <= 32 || run.len() <= 16 {
+        return fill_short(run, word);
+    }
+    if UNALIGNED {
+        let bytes = word.to_le_bytes();
+        if let Some(first) = run.first_chunk_mut() {
+            *first = bytes;
+        }
+        if let Some(last) = run.last_chunk_mut() {
+            *last = bytes;
+        }
+        let (head, middle, _) = pod_align_to_mut::<u8, u32>(run);
+        fill_words(middle, turned(word, head.len()));
+    } else {
+        let (head, middle, tail) = pod_align_to_mut::<u8, u32>(run);
+        let turned = turned(word, head.len());
+        fill_end(head, word);
+        fill_end(tail, turned);
+        fill_words(middle, turned);
+    }
+}
+
+/// The word that starts `bytes` further on in the pattern.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "at most 3")]
+fn turned(word: u32, bytes: usize) -> u32 {
+    u32::from_le(word).rotate_right(bytes as u32 * 8).to_le()
+}
+
+/// 0 to 32 bytes.
+#[inline(always)]
+fn fill_short(run: &mut [u8], word: u32) {
+    let w = word.to_le_bytes();
+    let w8: [u8; 8] = bytemuck::cast([w, w]);
+    let w16: [u8; 16] = bytemuck::cast([w, w, w, w]);
+    if run.len() > 16 {
+        put_ends(run, w16);
+    } else if run.len() >= 8 {
+        put_ends(run, w8);
+    } else if run.len() >= 4 {
+        put_ends(run, w);
+    } else {
+        fill_end(run, word);
+    }
+}
+
+/// Stores at the first and the last bytes of the run.
+#[inline(always)]
+fn put_ends<const N: usize>(run: &mut [u8], bytes: [u8; N]) {
+    if let Some(first) = run.first_chunk_mut() {
+        *first = bytes;
+    }
+    if let Some(last) = run.last_chunk_mut() {
+        *last = bytes;
+    }
+}
+
+/// Up to three bytes.
+#[inline(always)]
+fn fill_end(run: &mut [u8], word: u32) {
+    let [x, y, z, _] = word.to_le_bytes();
+    match run {
+        [a] => *a = x,
+        [a, b] => (*a, *b) = (x, y),
+        [a, b, c] => (*a, *b, *c) = (x, y, z),
+        _ => {}
+    }
+}
+
+/// Aligned words.
+#[inline(always)]
+fn fill_words(words: &mut [u32], w: u32) {
+    // Single assignments: `[w; 8]` becomes a loop at opt-level "s".
+    #[inline(always)]
+    fn eight(words: &mut [u32], w: u32) {
+        if let [a, b, c, d, e, f, g, h] = words {
+            (*a, *b, *c, *d, *e, *f, *g, *h) = (w, w, w, w, w, w, w, w);
+        }
+    }
+    #[inline(always)]
+    fn sixteen(words: &mut [u32], w: u32) {
+        if let Some((front, back)) = words.split_at_mut_checked(8) {
+            eight(front, w);
+            eight(back, w);
+        }
+    }
+    if UNALIGNED && words.len() >= 16 {
+        // Eight double stores; the last sixteen words overlap what is done.
+        for group in words.chunks_exact_mut(16) {
+            sixteen(group, w);
+            keep_rolled();
+        }
+        if let Some(last) = words.last_chunk_mut::<16>() {
+            sixteen(last, w);
+        }
+        return;
+    }
+    let mut groups = words.chunks_exact_mut(8);
+    for group in &mut groups {
+        eight(group, w);
+        keep_rolled();
+    }
+    let mut rest = groups.into_remainder();
+    if rest.len() & 4 != 0 {
+        if let Some((group, after)) = take(&mut rest).split_first_chunk_mut::<4>() {
+            *group = [w, w, w, w];
+            rest = after;
+        }
+    }
+    if rest.len() & 2 != 0 {
+        if let Some((group, after)) = take(&mut rest).split_first_chunk_mut::<2>() {
+            *group = [w, w];
+            rest = after;
+        }
+    }
+    if let Some(last) = rest.first_mut() {
+        *last = w;
+    }
+}
+
+/// Words to a round of [`fill_rows_wide`].
+const WIDE: usize = 40;
+
+/// The rows of a rectangle, with a pattern of 1, 2 or 4 bytes.
+pub(super) fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32) {
+    // Rows of whole words apart keep the alignment that the first one has.
+    if UNALIGNED && len >= 4 * WIDE + 8 && (stride.is_multiple_of(4) || memory.len() <= stride) {
+        fill_rows_wide(memory, stride, len, word);
+    } else {
+        rows(memory, stride, len, |row| fill_span(row, word));
+    }
+}
+
+/// Long rows by multiple stores: Cortex-M stores eight registers with one instruction, if there are eight registers.
+///
+/// A compiler that knows eight values to be equal keeps one. So each is made in another way from the word and a zero whose
+/// value is hidden; their order makes the register numbers ascend, as the instruction needs them. Another order would
+/// cost speed, not pixels.
+#[inline(never)]
+fn fill_rows_wide(memory: &mut [u8], stride: usize, len: usize, word: u32) {
+    let bytes = word.to_le_bytes();
+    let head = pod_align_to_mut::<u8, u32>(memory).0.len();
+    let w = turned(word, head);
+    let z = black_box(0_u32);
+    let v: [u32; 8] =
+        [w, w ^ z, w | z, w.wrapping_add(z), w.wrapping_sub(z), w & !z, w.wrapping_shl(z), w.wrapping_shr(z)];
+    let [a, b, c, d, e, f, g, h] = [v[6], v[1], v[7], v[5], v[4], v[3], v[2], v[0]];
+    #[rustfmt::skip]
+    let group: [u32; WIDE] = [
+        a, b, c, d, e, f, g, h,
+        a, b, c, d, e, f, g, h,
+        a, b, c, d, e, f, g, h,
+        a, b, c, d, e, f, g, h,
+        a, b, c, d, e, f, g, h,
+    ];
+    rows(memory, stride, len, |row| {
+        put_ends(row, bytes);
+        let (_, words, _) = pod_align_to_mut::<u8, u32>(row);
+        for place in words.chunks_exact_mut(WIDE) {
+            place.copy_from_slice(&group);
+            keep_rolled();
+        }
+        if let Some(last) = words.last_chunk_mut() {
+            *last = group;
+        }
+    });
+}
+
+/// A run of 3-byte pixels: four of them make three words.
+#[inline(never)]
+fn fill_span24(run: &mut [u8], bits: u32) {
+    let [r, g, b, _] = bits.to_le_bytes();
+    let ring = [[r, g, b, r], [g, b, r, g], [b, r, g, b]].map(u32::from_ne_bytes);
+    let (head, words, tail) = pod_align_to_mut::<u8, u32>(run);
+    // The word that starts at byte k of the run is ring[k % 3].
+    let [x, y, z] = match head.len() {
+        1 => [ring[1], ring[2], ring[0]],
+        2 => [ring[2], ring[0], ring[1]],
+        _ => ring,
+    };
+    put_first(head, [r, g, b, r]);
+    let after = match words.len() % 3 {
+        0 => x,
+        1 => y,
+        _ => z,
+    };
+    let mut groups = words.chunks_exact_mut(12);
+    for group in &mut groups {
+        if let Some(group) = group.first_chunk_mut() {
+            *group = [x, y, z, x, y, z, x, y, z, x, y, z];
+        }
+        keep_rolled();
+    }
+    for group in groups.into_remainder().chunks_mut(3) {
+        put_first(group, [x, y, z]);
+    }
+    put_first(tail, after.to_ne_bytes());
+}
+
+/// As many of the values as there are places.
+#[inline(always)]
+fn put_first<T: Copy, const N: usize>(places: &mut [T], values: [T; N]) {
+    for (place, value) in places.iter_mut().zip(values) {
+        *place = value;
+        keep_rolled();
+    }
+}
+
+/// A vertical run: the first pixel of the memory, and one every `stride` bytes until it ends.
+#[inline(always)]
+fn fill_column<F: PixelFormat>(memory: &mut [u8], stride: usize, bits: u32) {
+    match F::BITS {
+        8 => column(memory, stride, low_u8(bits).to_le_bytes()),
+        16 => column(memory, stride, low_u16(bits).to_le_bytes()),
+        _ => column(memory, stride, bits.to_le_bytes()),
+    }
+}
+
+fn column<const N: usize>(mut memory: &mut [u8], stride: usize, pixel: [u8; N]) {
+    #[inline(always)]
+    fn put<const N: usize>(memory: &mut [u8], at: usize, pixel: [u8; N]) {
+        if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+            *place = pixel;
+        }
+    }
+    // Four rows to a round, and one comparison for all: the far one first, it proves the others.
+    while let Some(rest) = stride.checked_mul(3).and_then(|far| memory.get_mut(..far.saturating_add(N))) {
+        put(rest, stride.wrapping_mul(3), pixel);
+        put(rest, stride.wrapping_mul(2), pixel);
+        put(rest, stride, pixel);
+        put(rest, 0, pixel);
+        let Some(next) = take(&mut memory).get_mut(stride.wrapping_mul(4)..) else { return };
+        memory = next;
+        keep_rolled();
+    }
+    rows(memory, stride, N, |row| put(row, 0, pixel));
 }
 
 /// Writes the pixel at byte `at`.
 #[inline(always)]
 pub(super) fn set<F: PixelFormat>(memory: &mut [u8], at: usize, bits: u32) {
-    let size = super::bytes_per_pixel::<F>();
-    if let Some(place) = memory.get_mut(at..at.wrapping_add(size)) {
-        for (byte, value) in place.iter_mut().zip(bits.to_le_bytes()) {
-            *byte = value;
+    fn put<const N: usize>(memory: &mut [u8], at: usize, pixel: [u8; N]) {
+        if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+            *place = pixel;
         }
     }
+    match F::BITS {
+        8 => put(memory, at, [low_u8(bits)]),
+        16 => put(memory, at, low_u16(bits).to_le_bytes()),
+        24 => put(memory, at, three(bits)),
+        _ => put(memory, at, bits.to_le_bytes()),
+    }
+}
+
+/// The low three bytes, the least significant one first.
+#[inline(always)]
+pub(super) const fn three(bits: u32) -> [u8; 3] {
+    let [a, b, c, _] = bits.to_le_bytes();
+    [a, b, c]
 }
 
 /// Reads the pixel at byte `at`.
 #[inline(always)]
 pub(super) fn get<F: PixelFormat>(memory: &[u8], at: usize) -> u32 {
-    let size = super::bytes_per_pixel::<F>();
-    let mut bytes = [0; 4];
-    if let Some(place) = memory.get(at..at.wrapping_add(size)) {
-        for (byte, value) in bytes.iter_mut().zip(place) {
-            *byte = *value;
+    fn pixel<const N: usize>(memory: &[u8], at: usize) -> [u8; N] {
+        let place = memory.get(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk);
+        place.copied().unwrap_or([0; N])
+    }
+    match F::BITS {
+        8 => u32::from(pixel::<1>(memory, at)[0]),
+        16 => u32::from(u16::from_le_bytes(pixel(memory, at))),
+        24 => {
+            let [a, b, c] = pixel(memory, at);
+            u32::from_le_bytes([a, b, c, 0])
+        }
+        _ => u32::from_le_bytes(pixel(memory, at)),
+    }
+}
+
+/// Copies the pixels of a run that differ from `key`.
+#[inline(always)]
+pub(super) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[u8], key: u32) {
+    /// Whole pixels: bytes of any alignment, one comparison to guard all of a pixel.
+    fn copy<const N: usize>(to: &mut [u8], from: &[u8], key: [u8; N])
+    where
+        [u8; N]: bytemuck::Pod + PartialEq,
+    {
+        let (_, to, _) = pod_align_to_mut::<u8, [u8; N]>(to);
+        let (_, from, _) = pod_align_to::<u8, [u8; N]>(from);
+        for (place, pixel) in to.iter_mut().zip(from) {
+            if *pixel != key {
+                *place = *pixel;
+            }
         }
     }
-    u32::from_le_bytes(bytes)
+    match F::BITS {
+        8 => copy(to, from, [low_u8(key)]),
+        16 => copy(to, from, low_u16(key).to_le_bytes()),
+        24 => copy(to, from, three(key)),
+        _ => copy(to, from, key.to_le_bytes()),
+    }
 }
 
 /// Copies bytes between runs of the same length.
-#[inline(always)]
+///
+/// `copy_from_slice` calls a `memcpy` that on small cores goes byte by byte when the alignments differ.
+#[inline(never)]
 pub(super) fn copy(to: &mut [u8], from: &[u8]) {
-    if to.len() == from.len() {
-        to.copy_from_slice(from);
+    if to.len() != from.len() {
+        return;
+    }
+    if UNALIGNED {
+        copy_unaligned(to, from);
+    } else {
+        copy_aligned(to, from);
+    }
+}
+
+/// Copies the first and the last `N` bytes; they may overlap, so there is no loop and no branch per bit of the length.
+#[inline(always)]
+fn copy_ends<const N: usize>(to: &mut [u8], from: &[u8], put: impl Fn(&mut [u8; N], &[u8; N])) {
+    if let (Some(to), Some(from)) = (to.first_chunk_mut(), from.first_chunk()) {
+        put(to, from);
+    }
+    if let (Some(to), Some(from)) = (to.last_chunk_mut(), from.last_chunk()) {
+        put(to, from);
+    }
+}
+
+/// Word by word on purpose: `*to = *from` is a call of `memcpy` at "s", and from 32 bytes on at 3.
+#[inline(always)]
+fn put16(to: &mut [u8; 16], from: &[u8; 16]) {
+    let [a, b, c, d]: &mut [[u8; 4]; 4] = cast_mut(to);
+    let [p, q, r, s]: &[[u8; 4]; 4] = cast_ref(from);
+    (*a, *b, *c, *d) = (*p, *q, *r, *s);
+}
+
+#[inline(always)]
+fn put8(to: &mut [u8; 8], from: &[u8; 8]) {
+    let [a, b]: &mut [[u8; 4]; 2] = cast_mut(to);
+    let [p, q]: &[[u8; 4]; 2] = cast_ref(from);
+    (*a, *b) = (*p, *q);
+}
+
+#[inline(always)]
+fn copy_unaligned(to: &mut [u8], from: &[u8]) {
+    match to.len() {
+        16.. => {
+            for (to, from) in to.chunks_exact_mut(32).zip(from.chunks_exact(32)) {
+                if let (Some(to), Some(from)) = (to.first_chunk_mut(), from.first_chunk()) {
+                    put16(to, from);
+                }
+                // Keeps the loads of the second half from crowding the registers.
+                keep_rolled();
+                if let (Some(to), Some(from)) = (to.last_chunk_mut(), from.last_chunk()) {
+                    put16(to, from);
+                }
+                keep_rolled();
+            }
+            match (to.last_chunk_mut::<32>(), from.last_chunk::<32>()) {
+                (Some(to), Some(from)) => copy_ends(to, from, put16),
+                _ => copy_ends(to, from, put16),
+            }
+        }
+        8.. => copy_ends(to, from, put8),
+        4.. => copy_ends::<4>(to, from, |to, from| *to = *from),
+        2.. => copy_ends::<2>(to, from, |to, from| *to = *from),
+        _ => copy_ends::<1>(to, from, |to, from| *to = *from),
+    }
+}
+
+/// Aligned stores, and the widest loads that the source allows.
+#[inline(always)]
+fn copy_aligned(to: &mut [u8], from: &[u8]) {
+    let (head, words, tail) = pod_align_to_mut::<u8, u32>(to);
+    let Some((from_head, from)) = from.split_at_checked(head.len()) else { return };
+    let Some((from_words, from_tail)) = from.split_at_checked(words.len().wrapping_mul(4)) else { return };
+    copy_each(head, from_head.iter().copied());
+    copy_each(tail, from_tail.iter().copied());
+    if let ([], from, []) = pod_align_to::<u8, u32>(from_words) {
+        let (mut groups, mut from_groups) = (words.chunks_exact_mut(4), from.chunks_exact(4));
+        for (to, from) in (&mut groups).zip(&mut from_groups) {
+            if let ([a, b, c, d], [p, q, r, s]) = (to, from) {
+                (*a, *b, *c, *d) = (*p, *q, *r, *s);
+            }
+            keep_rolled();
+        }
+        copy_each(groups.into_remainder(), from_groups.remainder().iter().copied());
+    } else if let ([], from, []) = pod_align_to::<u8, [u16; 2]>(from_words) {
+        copy_each(words, from.iter().map(|&pair| bytemuck::cast(pair)));
+    } else {
+        copy_each(words, from_words.chunks_exact(4).map(|b| b.first_chunk().copied().map_or(0, u32::from_ne_bytes)));
+    }
+}
+
+#[inline(always)]
+fn copy_each<T>(to: &mut [T], from: impl Iterator<Item = T>) {
+    for (place, value) in to.iter_mut().zip(from) {
+        *place = value;
+        keep_rolled();
     }
 }

@@ -10,7 +10,7 @@
 //! remainder of `(k db + h) / da` is the decision to go on from. No end is ever moved, so the visible pixels are those of
 //! the whole line.
 //!
-//! Range: any `i32`. Set-up takes at most three divisions, 32-bit ones while `da m < 2^32`.
+//! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`.
 //!
 //! Source: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4(1), 1965.
 
@@ -66,22 +66,28 @@ pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
         return None;
     }
 
-    let (moved, rest) = match NonZeroU32::new(da) {
-        Some(da) if first > 0 => div_rem_wide((u64::from(first) * u64::from(db)).wrapping_add(u64::from(h)), da),
-        _ => (0, h),
+    // Minor steps made after k, and the remainder: known without a division at the ends of the line.
+    let state = |k: u32| match NonZeroU32::new(da) {
+        _ if k == 0 => (0, h),
+        _ if k == da => (db, h),
+        Some(da) => div_rem_wide((u64::from(k) * u64::from(db)).wrapping_add(u64::from(h)), da),
+        None => (0, 0),
     };
-    let (from_x, from_y) = if steep { (moved, first) } else { (first, moved) };
-    Some(Steps {
-        x: offset(a.x, right, from_x),
-        y: offset(a.y, down, from_y),
-        len: last.wrapping_sub(first).wrapping_add(1),
-        right,
-        down,
-        steep,
-        rest: rest.wrapping_sub(da),
-        minor: db,
-        major: da,
-    })
+    let ((minor_first, rest_first), (minor_last, rest_last)) = (state(first), state(last));
+    let place = |major: u32, minor: u32| {
+        let (along_x, along_y) = if steep { (minor, major) } else { (major, minor) };
+        (offset(a.x, right, along_x), offset(a.y, down, along_y))
+    };
+    let (start, end) = (place(first, minor_first), place(last, minor_last));
+    let len = last.wrapping_sub(first).wrapping_add(1);
+    // Upwards, the same pixels from their other end. The step back over step k is taken where r < db, which is where the
+    // complement da - 1 - r carries.
+    let (first, last, right, rest) = if down {
+        (start, end, right, rest_first)
+    } else {
+        (end, start, !right, da.wrapping_sub(1).wrapping_sub(rest_last))
+    };
+    Some(Steps { first, last, len, right, steep, rest: rest.wrapping_sub(da), minor: db, major: da })
 }
 
 /// How far from `from` the positions `low..high` begin and end, walking up or down: `None` if they lie behind.

@@ -10,8 +10,7 @@
 //!
 //! **Lines** join two *pixels* and draw both: see [`line`].
 //!
-//! Every function takes the window that may be drawn and emits what lies in it, top row first (lines: first pixel
-//! first). Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
+//! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 
 pub mod line;
 pub mod polygon;

@@ -252,16 +252,18 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
     fn fill_area(&mut self, area: Rect, color: F::Color) {
         let area = area.intersection(self.window);
         let Some(first) = (Span { y: area.y0, x0: area.x0, x1: area.x1 }).clip(area) else { return };
-        let bits = F::pack(color);
-        let (x0, x1) = (self.x(first.x0()), self.x(first.x1()));
-        for y in area.y0..area.y1 {
-            let row = self.row_start(y);
-            pixel::fill::<F>(self.memory, row, x0, x1, bits);
-        }
+        let row = self.row_start(area.y0);
+        let columns = (self.x(first.x0()), self.x(first.x1()));
+        pixel::fill_rows::<F>(self.memory, self.stride, (row, area.height() as usize), columns, F::pack(color));
     }
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: F::Color) {
-        steps.spans(|span| self.fill_span(span, color));
+        if let Some(area) = steps.straight() {
+            return self.fill_area(area, color);
+        }
+        let place = |(x, y)| (self.row_start(y), self.x(x));
+        let (start, end) = (place(steps.first()), place(steps.last()));
+        pixel::walk::draw::<F>(self.memory, self.stride, start, end, steps, F::pack(color));
     }
 }

@@ -1,0 +1,181 @@
+//! Lines in memory: Bresenham's steps as additions to an index.
+//!
+//! Where a pixel takes whole bytes and the rows are whole pixels apart, memory is a row of pixels, and a line that goes
+//! down goes up in it. Cut off after the last pixel, the end of the slice is the end of the line: the one comparison
+//! that guards the memory is the loop's condition too, and nothing is counted. (Only flat lines to the left run back
+//! within each row; but all rows before the last lie before the last pixel, so they are walked the same way, and the
+//! last row is a run.)
+
+use bytemuck::{pod_align_to_mut, Pod};
+
+use super::{
+    packed,
+    word::{self, keep_rolled, UNALIGNED},
+    PixelFormat,
+};
+use crate::{
+    num::{
+        cast::{low_u16, low_u8},
+        round::fraction,
+    },
+    span::Steps,
+};
+
+/// Writes `bits` along `steps`, from byte and pixel `start` to byte and pixel `end`, both in rows `stride` bytes apart.
+#[inline(always)]
+pub(crate) fn draw<F: PixelFormat>(
+    memory: &mut [u8],
+    stride: usize,
+    start: (usize, usize),
+    end: (usize, usize),
+    steps: Steps,
+    bits: u32,
+) {
+    match F::BITS {
+        8 => draw_pixels::<1>(memory, stride, start, end, steps, [low_u8(bits)]),
+        16 => draw_pixels::<2>(memory, stride, start, end, steps, low_u16(bits).to_le_bytes()),
+        24 => draw_pixels::<3>(memory, stride, start, end, steps, word::three(bits)),
+        32 => draw_pixels::<4>(memory, stride, start, end, steps, bits.to_le_bytes()),
+        _ => {
+            // Pixels are counted through the whole memory: rows start on a byte.
+            let per_byte = (8 / F::BITS) as usize;
+            let first = start.0.wrapping_mul(per_byte).wrapping_add(start.1);
+            count(steps, first, 1, stride.wrapping_mul(per_byte), |i| packed::set::<F>(memory, 0, i, bits));
+        }
+    }
+}
+
+#[inline(always)]
+fn draw_pixels<const N: usize>(
+    memory: &mut [u8],
+    stride: usize,
+    (start_row, start_x): (usize, usize),
+    (end_row, end_x): (usize, usize),
+    steps: Steps,
+    pixel: [u8; N],
+) where
+    [u8; N]: Pod,
+{
+    if !stride.is_multiple_of(N) {
+        let first = start_row.wrapping_add(start_x.wrapping_mul(N));
+        let set = |at: usize| {
+            if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+                *place = pixel;
+            }
+        };
+        return count(steps, first, N, stride, set);
+    }
+    let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(memory);
+    let (first, last) = ((start_row / N).wrapping_add(start_x), (end_row / N).wrapping_add(end_x));
+    if steps.steep {
+        steep(pixels, first, last, stride / N, steps, pixel);
+    } else {
+        flat(pixels, first, last, stride / N, steps, pixel);
+    }
+}
+
+/// One pixel a row.
+#[inline(always)]
+fn steep<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, steps: Steps, pixel: P) {
+    let Some(pixels) = pixels.get_mut(..=last) else { return };
+    let Steps { right, len, minor, major, rest, .. } = steps;
+    // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
+    if UNALIGNED && len > 16 && major < 1 << 16 && minor != 0 && minor != major {
+        let (part, step) = (fraction(rest.wrapping_add(major), major), fraction(minor, major));
+        if right {
+            glide(pixels, first, pitch, part, step, pixel);
+        } else {
+            glide(pixels, first, pitch.wrapping_sub(1), !part, step.wrapping_neg(), pixel);
+        }
+        return;
+    }
+    walk(pixels, first, (pitch, sideways(right)), (rest, minor, major), pixel);
+}
+
+/// One pixel a column, or more of them in a row.
+#[inline(always)]
+fn flat<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, steps: Steps, pixel: P) {
+    let Steps { right, minor, major, rest, .. } = steps;
+    let one = sideways(right);
+    // The commoner step is the unconditional one. In the complement, the steps without a move aside are those that carry.
+    let (by, decision) = if minor <= major >> 1 {
+        ((one, pitch), (rest, minor, major))
+    } else {
+        let rest = !rest.wrapping_add(major);
+        ((pitch.wrapping_add(one), pitch.wrapping_neg()), (rest, major.wrapping_sub(minor), major))
+    };
+    if right {
+        if let Some(pixels) = pixels.get_mut(..=last) {
+            walk(pixels, first, by, decision, pixel);
+        }
+        return;
+    }
+    let Some((before, from_last)) = pixels.split_at_mut_checked(last) else { return };
+    let at = walk(before, first, by, decision, pixel);
+    for place in from_last.get_mut(..=at.wrapping_sub(last)).unwrap_or_default() {
+        *place = pixel;
+    }
+}
+
+/// One pixel to the right, or to the left.
+const fn sideways(right: bool) -> usize {
+    if right {
+        1
+    } else {
+        usize::MAX
+    }
+}
+
+/// Bresenham's loop: moves by `step`, and when `rest + add` carries by `extra` too. Returns the first index outside.
+#[inline]
+fn walk<P: Copy>(
+    pixels: &mut [P],
+    mut at: usize,
+    (step, extra): (usize, usize),
+    (mut rest, add, take): (u32, u32, u32),
+    pixel: P,
+) -> usize {
+    while let Some(place) = pixels.get_mut(at) {
+        *place = pixel;
+        at = at.wrapping_add(step);
+        let (sum, carry) = rest.overflowing_add(add);
+        rest = sum;
+        if carry {
+            rest = rest.wrapping_sub(take);
+            at = at.wrapping_add(extra);
+            // Keeps the branch: made conditional, the instructions above would cost every pixel.
+            keep_rolled();
+        }
+    }
+    at
+}
+
+/// The steep loop in five instructions: index and 32-bit fraction are one number, so a step is one addition.
+///
+/// `step = ceil(2^32 db / da)` is too large by less than 1, and so is `part` for the remainder at the first pixel: after
+/// k steps by less than k + 1 <= da. What would have to be added for a wrong carry is 2^32 / da or more, and
+/// `da^2 <= 2^32`. To the left, part and step are negated: a carry is a row without a move.
+#[inline]
+fn glide<P: Copy>(pixels: &mut [P], at: usize, base: usize, part: u32, step: u32, pixel: P) {
+    let mut at = (at as u64) << 32 | u64::from(part);
+    let by = (base as u64) << 32 | u64::from(step);
+    while let Some(place) = usize::try_from(at >> 32).ok().and_then(|i| pixels.get_mut(i)) {
+        *place = pixel;
+        at = at.wrapping_add(by);
+        keep_rolled();
+    }
+}
+
+/// Any memory, with a counter: positions are `x_unit` apart in a row and `y_unit` from row to row.
+#[inline(always)]
+fn count(mut steps: Steps, mut at: usize, x_unit: usize, y_unit: usize, mut set: impl FnMut(usize)) {
+    let aside = if steps.right { x_unit } else { x_unit.wrapping_neg() };
+    let (major, minor) = if steps.steep { (y_unit, aside) } else { (aside, y_unit) };
+    for _ in 0..steps.len {
+        set(at);
+        at = at.wrapping_add(major);
+        if steps.next_is_minor() {
+            at = at.wrapping_add(minor);
+        }
+    }
+}
