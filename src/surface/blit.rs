@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     error::Error,
-    num::cast::{index, narrow},
+    num::cast::{index, narrow, saturate},
     pixel::{self, row_bytes, PixelFormat},
     rect::Rect,
 };
@@ -171,10 +171,9 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
         const CHUNK: usize = 48;
         let pixels = CHUNK * 8 / F::BITS as usize;
         let seen = area.intersection(self.window());
-        let at = Point::new(
-            to.x.saturating_add(seen.x0.saturating_sub(area.x0)),
-            to.y.saturating_add(seen.y0.saturating_sub(area.y0)),
-        );
+        // In wide numbers: an area may start at i32::MIN, far outside, and still be moved by a pixel.
+        let shifted = |to: i32, area: i32, seen: i32| saturate(i64::from(to) - i64::from(area) + i64::from(seen));
+        let at = Point::new(shifted(to.x, area.x0, seen.x0), shifted(to.y, area.y0, seen.y0));
         let Some(plan) = Plan::new(self.window(), at, seen) else { return };
         let (upwards, to_left) = (plan.to.y <= plan.from.y, plan.to.x <= plan.from.x);
         let (to_x, from_x) = (self.x(plan.to.x), self.x(plan.from.x));
