@@ -24,9 +24,9 @@ usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectan
 --input FILE   another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
 --window       shows it: D depth, P projection, L layer, C cycles the palette, Esc quits";
 
-/// Edges of the scratch table, at 32 bytes each. No row of any country has more at this size; with fewer, the filler
-/// halves the rows that it works on at a time.
-const EDGES: usize = 64;
+/// Edges of the scratch table, at 32 bytes each. No row crosses more than 24 of one country and 80 of all together; where a
+/// whole shape has more, the filler works on fewer rows at a time.
+const EDGES: usize = 80;
 
 fn main() -> ExitCode {
     match run() {
