@@ -216,7 +216,14 @@ pub(crate) fn copy<F: PixelFormat>(
     }
 }
 
-/// The same, but leaves the pixels of the target where the source has the bits `key`.
+/// Whether there are bits that no colour has: the sixteenth of `Rgb555`, six of `Rgb666`. A picture may hold anything there.
+#[inline(always)]
+fn has_unused_bits<F: PixelFormat>() -> bool {
+    let all = u32::MAX >> (32 - F::BITS);
+    F::pack(F::unpack(all)) != all
+}
+
+/// The same, but leaves the pixels of the target where the source has the colour of the bits `key`.
 #[inline(always)]
 pub(crate) fn copy_keyed<F: PixelFormat>(
     to: &mut [u8],
@@ -226,7 +233,7 @@ pub(crate) fn copy_keyed<F: PixelFormat>(
     n: usize,
     key: u32,
 ) {
-    if F::BITS >= 8 {
+    if F::BITS >= 8 && !has_unused_bits::<F>() {
         let to = to.get_mut(byte::<F>(to_row, to_x)..byte::<F>(to_row, to_x.wrapping_add(n)));
         let from = from.get(byte::<F>(from_row, from_x)..byte::<F>(from_row, from_x.wrapping_add(n)));
         if let (Some(to), Some(from)) = (to, from) {
@@ -236,7 +243,7 @@ pub(crate) fn copy_keyed<F: PixelFormat>(
     }
     for i in 0..n {
         let bits = get::<F>(from, from_row, from_x.wrapping_add(i));
-        if bits != key {
+        if F::pack(F::unpack(bits)) != key {
             set::<F>(to, to_row, to_x.wrapping_add(i), bits);
         }
     }
