@@ -19,9 +19,18 @@ fn point((x, y): (i32, i32)) -> Point {
     Point::new(x, y)
 }
 
+/// The visible pixels in the order that they are painted: along the line, but never upwards.
+fn downwards(a: (i32, i32), b: (i32, i32), window: Rect) -> Vec<(i32, i32)> {
+    let mut pixels = twins::line(a, b, window);
+    if a.1 > b.1 {
+        pixels.reverse();
+    }
+    pixels
+}
+
 /// The pixels that single steps give.
 fn stepped(mut steps: Steps) -> Vec<(i32, i32)> {
-    let (dx, dy) = (if steps.goes_right() { 1 } else { -1 }, 1);
+    let dx = if steps.goes_right() { 1 } else { -1 };
     let (mut x, mut y) = steps.first();
     let mut pixels = vec![];
     for left in (0..steps.len()).rev() {
@@ -29,7 +38,7 @@ fn stepped(mut steps: Steps) -> Vec<(i32, i32)> {
         let minor = steps.next_is_minor();
         if left > 0 {
             x += if minor || !steps.is_steep() { dx } else { 0 };
-            y += if minor || steps.is_steep() { dy } else { 0 };
+            y += i32::from(minor || steps.is_steep());
         }
     }
     pixels
@@ -57,11 +66,11 @@ fn spans(steps: Option<Steps>) -> Vec<Run> {
 
 /// Pixels, their order, and the runs they are painted in.
 fn check([a, b]: [(i32, i32); 2], window: Rect) {
-    let mut wanted = twins::line(a, b, window);
-    if b.1 < a.1 {
-        wanted.reverse(); // lines are handed over from the top down
-    }
+    let wanted = downwards(a, b, window);
     let steps = line::clip(point(a), point(b), window);
+    if let Some(steps) = steps {
+        assert_eq!((Some(&steps.first()), Some(&steps.last())), (wanted.first(), wanted.last()), "{a:?} to {b:?}");
+    }
     assert_eq!(steps.map(stepped).unwrap_or_default(), wanted, "steps from {a:?} to {b:?} in {window:?}");
     assert_eq!(spans(steps), runs(&wanted), "spans from {a:?} to {b:?} in {window:?}");
 }

@@ -12,6 +12,7 @@
 )]
 
 pub(crate) mod hits;
+pub(crate) mod memory;
 pub(crate) mod rng;
 pub(crate) mod scenes;
 pub(crate) mod twins;
