@@ -1,0 +1,307 @@
+//! Small scenes at every depth against the pictures in `tests/golden`.
+//!
+//! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
+//! drawn and where it differs are written beside the picture.
+
+use std::{convert::Infallible, env, path::Path};
+
+use embedded_graphics::{
+    draw_target::DrawTarget,
+    image::GetPixel,
+    mono_font::{ascii::FONT_6X10, MonoTextStyleBuilder},
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+    text::Text,
+};
+use embedded_raster::{
+    buffer_bytes,
+    pixel::{Xrgb8888, EGA},
+    surface::{paged_bytes, Bitmap, Paged},
+    Canvas, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Rect, Surface, Vertex,
+};
+use embedded_raster_simulator::Picture;
+
+const WIDTH: u16 = 96;
+const HEIGHT: u16 = 64;
+
+/// Colours of the scenes, by their numbers in the EGA palette.
+const GROUND: u8 = 1;
+const GREY: u8 = 7;
+const GREEN: u8 = 10;
+const RED: u8 = 12;
+const YELLOW: u8 = 14;
+
+/// A colour that scenes are painted in at some depth.
+trait Ink: PixelColor + PixelFormat<Color = Self> {
+    /// What stands for an EGA colour.
+    fn ega(index: u8) -> Self;
+
+    /// What is in a framebuffer, or in pages.
+    fn picture<S: GetPixel<Color = Self> + OriginDimensions>(frame: &S) -> Picture;
+}
+
+macro_rules! indexed {
+    ($name:ident, $index:expr, $palette:expr) => {
+        impl Ink for $name {
+            fn ega(index: u8) -> Self {
+                Self::new($index(index))
+            }
+
+            fn picture<S: GetPixel<Color = Self> + OriginDimensions>(frame: &S) -> Picture {
+                Picture::indexed(frame, &$palette)
+            }
+        }
+    };
+}
+
+indexed!(Index1, |index| u8::from(index > GROUND), Palette::<Rgb888, 2>::greys());
+indexed!(
+    Index2,
+    |index| [0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2, 3, 3][usize::from(index)],
+    Palette::<Rgb888, 4>::greys()
+);
+indexed!(Index4, |index| index, EGA);
+indexed!(Index8, |index: u8| index << 4, Palette::new(std::array::from_fn::<_, 256, _>(|i| EGA.colors()[i >> 4])));
+
+macro_rules! true_color {
+    ($($name:ident),*) => {
+        $(
+            impl Ink for $name {
+                fn ega(index: u8) -> Self {
+                    EGA.colors()[usize::from(index)].into()
+                }
+
+                fn picture<S: GetPixel<Color = Self> + OriginDimensions>(frame: &S) -> Picture {
+                    Picture::of(frame)
+                }
+            }
+        )*
+    };
+}
+
+true_color!(Rgb565, Rgb888, Xrgb8888);
+
+/// A star of lines in 24 directions, lines that enter from far outside, and a frame.
+fn lines<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let middle = Point::new(31, 31);
+    for (i, color) in (-6..6).zip([YELLOW, GREEN].into_iter().cycle()) {
+        for (x, y) in [(5 * i, -30), (30, 5 * i), (-5 * i, 30), (-30, -5 * i)] {
+            surface.draw_line(middle + Point::new(x, y) / 3, middle + Point::new(x, y), C::ega(color));
+        }
+    }
+    for i in -2..3 {
+        // Both ends are a billion pixels away.
+        let (far, through) = (Point::new(150_000_000 * i, 1_000_000_000), Point::new(80, 12));
+        surface.draw_line(through - far, through + far, C::ega(RED));
+    }
+    for i in 0..6 {
+        surface.draw_line(Point::new(64, 8 * i + 20), Point::new(94 - 4 * i, 61), C::ega(GREY));
+    }
+    let corners = [(63, 0), (95, 0), (95, 63), (63, 63), (63, 0)].map(Point::from);
+    surface.draw_polyline(corners, C::ega(YELLOW));
+}
+
+/// A fan around a sub-pixel centre, slivers, and a triangle far larger than the screen.
+fn triangles<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let centre = Vertex::from_bits(31 * 256 + 77, 30 * 256 + 201);
+    let rim = [(30, 2), (45, 3), (58, 14), (62, 30), (55, 47), (38, 61), (20, 58), (6, 47), (1, 28), (9, 9)]
+        .map(|(x, y)| Vertex::px(x, y));
+    for (i, color) in (0..rim.len()).zip([GREEN, YELLOW, RED, GREY].into_iter().cycle()) {
+        surface.fill_triangle([centre, rim[i], rim[(i + 1) % rim.len()]], C::ega(color));
+    }
+    for i in 0..8 {
+        // Thinner from left to right: 3 pixels, then 3/2, ... down to 3/128.
+        let (x, w) = (66 * 256 + 960 * i, 768 >> i);
+        let corners = [(x, 512), (x + w, 512), (x + w + 300, 30 * 256)].map(|(x, y)| Vertex::from_bits(x, y));
+        surface.fill_triangle(corners, C::ega(GREEN));
+    }
+    let huge = [Vertex::px(66, 8_000_000), Vertex::px(80, 34), Vertex::px(8_000_000, 8_000_000)];
+    surface.fill_triangle(huge, C::ega(RED));
+}
+
+/// The same star by both rules, a contour with two holes, and a comb.
+fn polygons<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let mut table = [Edge::EMPTY; 8];
+    let star =
+        |x: i32| [(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)].map(|(dx, dy)| Vertex::px(x + dx, 22 + dy));
+    let stars = [(22, FillRule::EvenOdd, GREEN), (70, FillRule::NonZero, YELLOW)];
+    for (x, rule, color) in stars {
+        surface.fill_polygon(&star(x), rule, &mut table, C::ega(color)).expect("eight edges are enough");
+    }
+    let block = |x0, y0, x1, y1| [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vertex::px(x, y));
+    let mut holes = [block(4, 42, 40, 61), block(8, 45, 20, 58), block(24, 45, 36, 58)];
+    holes[1..].iter_mut().for_each(|hole| hole.reverse());
+    surface.fill_contours(&holes, FillRule::NonZero, &mut table, C::ega(RED)).expect("eight edges are enough");
+    let comb: Vec<_> =
+        (0..12).map(|i| Vertex::from_bits((46 + 4 * i) * 256, (44 + 16 * (i % 2)) * 256 + 64 * i)).collect();
+    let closed = comb.iter().copied().chain([Vertex::px(92, 42), Vertex::px(46, 42)]).collect::<Vec<_>>();
+    surface.fill_polygon(&closed, FillRule::EvenOdd, &mut [Edge::EMPTY; 14], C::ega(GREY)).expect("one slot a side");
+}
+
+/// Rectangles of every width, one inside the other, at sub-pixel places and across the sides of the screen; points.
+fn rectangles<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    for (i, color) in (0..7).zip([GREY, GROUND, GREEN, GROUND, YELLOW, GROUND, RED]) {
+        surface.fill_rectangle(Vertex::px(3 + 3 * i, 3 + 3 * i), Vertex::px(47 - 3 * i, 45 - 3 * i), C::ega(color));
+    }
+    let mut x = 52;
+    for width in 1..9 {
+        surface.fill_rectangle(Vertex::px(x, 3), Vertex::px(x + width, 3 + 3 * width), C::ega(GREEN));
+        x += width;
+    }
+    for i in 0..8 {
+        // Centres are at 128: from 0 to 224 the first column comes and goes.
+        let (x, y) = ((52 + 5 * i) * 256 + 32 * i, 34 * 256);
+        surface.fill_rectangle(Vertex::from_bits(x, y), Vertex::from_bits(x + 640, y + 2560), C::ega(YELLOW));
+        surface.draw_point(Vertex::from_bits(x, y + 3200), C::ega(RED));
+    }
+    surface.fill_area(Rect::new(i32::MIN, 56, 7, i32::MAX), C::ega(RED));
+    surface.fill_area(Rect::new(90, 60, i32::MAX, 99), C::ega(GREY));
+}
+
+/// Text of embedded-graphics, clear and on a background, across the sides of the screen too.
+fn text<C: Ink>(target: &mut impl DrawTarget<Color = C, Error = Infallible>) {
+    let Ok(()) = target.clear(C::ega(GROUND));
+    let style = |color, background| {
+        let builder = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(C::ega(color));
+        match background {
+            Some(background) => builder.background_color(C::ega(background)).build(),
+            None => builder.build(),
+        }
+    };
+    let Ok(_) = Text::new("0123456789abcdef", Point::new(0, 8), style(YELLOW, None)).draw(target);
+    let Ok(_) = Text::new("Grumpy wizards\nmake toxic brew", Point::new(3, 20), style(GREEN, None)).draw(target);
+    let Ok(_) = Text::new(" inverse ", Point::new(5, 44), style(GROUND, Some(GREY))).draw(target);
+    let Ok(_) = Text::new("over the edges", Point::new(-7, 58), style(RED, None)).draw(target);
+    let Ok(_) = Text::new("down", Point::new(75, 66), style(YELLOW, None)).draw(target);
+}
+
+/// A picture copied to every place within a byte, whole and with transparent pixels, clipped at all sides; a part that is
+/// moved over itself, and one with transparent pixels.
+fn blits<C: Ink>(frame: &mut Framebuffer<'_, C>) {
+    frame.clear(C::ega(GROUND));
+    frame.fill_area(Rect::new(0, 0, 96, 14), C::ega(GREY));
+    frame.fill_area(Rect::new(0, 19, 96, 22), C::ega(GREY));
+    let mut sprite_ram = [0; 13 * 11 * 4];
+    let mut sprite = Framebuffer::<C>::new(&mut sprite_ram, 13, 11).expect("four bytes a pixel are enough");
+    sprite.clear(C::ega(GROUND));
+    sprite.fill_triangle([Vertex::px(1, 10), Vertex::px(6, 0), Vertex::px(12, 10)], C::ega(YELLOW));
+    sprite.draw_line(Point::new(0, 0), Point::new(12, 10), C::ega(GROUND));
+    let sprite: Bitmap<'_, C> = sprite.as_bitmap();
+    for i in 0..7 {
+        frame.blit(Point::new(1 + 13 * i + i / 4, 2), &sprite.part(Rect::new(i, 0, 13, 11)));
+        frame.blit_keyed(Point::new(1 + 13 * i + i / 2, 15), &sprite, C::ega(GROUND));
+    }
+    for (x, y) in [(-6, 30), (89, 30), (40, -7), (-7, 58), (88, 57)] {
+        frame.blit(Point::new(x, y), &sprite);
+    }
+    frame.fill_area(Rect::new(12, 30, 24, 42), C::ega(RED));
+    frame.draw_line(Point::new(12, 41), Point::new(23, 30), C::ega(GROUND));
+    frame.move_area(Rect::new(12, 30, 24, 42), Point::new(19, 35));
+    frame.move_area_keyed(Rect::new(0, 0, 40, 27), Point::new(49, 36), C::ega(GREY));
+}
+
+/// Draws every scene in framebuffers of the colour type and compares.
+fn check<C: Ink>(depth: &str) {
+    let mut ram = vec![0; buffer_bytes::<C>(WIDTH, HEIGHT)];
+    let mut frame = Framebuffer::<C>::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
+    let mut wrong = vec![];
+    let mut compare =
+        |name, frame: &Framebuffer<'_, C>| wrong.extend(compare(&format!("{name}-{depth}"), &C::picture(frame)));
+    lines(&mut frame);
+    compare("lines", &frame);
+    triangles(&mut frame);
+    compare("triangles", &frame);
+    polygons(&mut frame);
+    compare("polygons", &frame);
+    rectangles(&mut frame);
+    compare("rectangles", &frame);
+    text(&mut frame);
+    compare("text", &frame);
+    blits(&mut frame);
+    compare("blits", &frame);
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_bit() {
+    check::<Index1>("1");
+}
+
+#[test]
+fn two_bits() {
+    check::<Index2>("2");
+}
+
+#[test]
+fn four_bits() {
+    check::<Index4>("4");
+}
+
+#[test]
+fn eight_bits() {
+    check::<Index8>("8");
+}
+
+#[test]
+fn sixteen_bits() {
+    check::<Rgb565>("16");
+}
+
+#[test]
+fn twenty_four_bits() {
+    check::<Rgb888>("24");
+}
+
+#[test]
+fn thirty_two_bits() {
+    check::<Xrgb8888>("32");
+}
+
+/// Pages hold the same pixels as rows: no pictures of their own.
+#[test]
+fn pages() {
+    type Pages<'a> = Paged<'a, Index1>;
+    let mut ram = vec![0; paged_bytes(WIDTH, HEIGHT)];
+    let mut pages = Pages::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
+    let scenes: [(&str, fn(&mut Pages<'_>)); 5] = [
+        ("lines-1", |pages| lines(pages)),
+        ("triangles-1", |pages| triangles(pages)),
+        ("polygons-1", |pages| polygons(pages)),
+        ("rectangles-1", |pages| rectangles(pages)),
+        ("text-1", |pages| text(pages)),
+    ];
+    for (name, draw) in scenes {
+        draw(&mut pages);
+        assert_eq!(compare(name, &Index1::picture(&pages)), None, "in pages");
+    }
+}
+
+/// Compares a picture with the one of that name; says what is wrong with it. With `BLESS=1`, writes it.
+fn compare(name: &str, picture: &Picture) -> Option<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let golden = folder.join(format!("{name}.png"));
+    if env::var_os("BLESS").is_some_and(|bless| bless == "1") {
+        picture.write_png(&golden).expect("pictures can be written");
+        return None;
+    }
+    let expected = Picture::read_png(&golden);
+    if expected.as_ref().is_ok_and(|expected| expected == picture) {
+        return None;
+    }
+    let actual = folder.join(format!("{name}.actual.png"));
+    picture.write_png(&actual).expect("pictures can be written");
+    Some(match expected {
+        Err(error) => format!("{}: {error}; drawn: {}", golden.display(), actual.display()),
+        Ok(expected) => {
+            let difference = expected.difference(picture);
+            let marked = folder.join(format!("{name}.difference.png"));
+            difference.picture.write_png(&marked).expect("pictures can be written");
+            let (pixels, actual, marked) = (difference.pixels, actual.display(), marked.display());
+            format!("{name}: {pixels} pixels differ; drawn: {actual}, where: {marked}")
+        }
+    })
+}
