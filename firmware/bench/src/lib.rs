@@ -4,7 +4,7 @@
 //!  scene          what is drawn: data, the same for every engine
 //!    |
 //!  engine         a set of functions, one per kind of workload
-//!    |            eg: embedded-graphics' own framebuffer;  bound: hand-written loops
+//!    |            own: this crate;  eg: embedded-graphics' own framebuffer;  bound: hand-written loops
 //!  report         one line per workload, format and engine
 //! ```
 //! An engine more is one file with its functions in a constant [`engine::Engine`], and one call of
@@ -14,5 +14,6 @@
 pub mod bound;
 pub mod eg;
 pub mod engine;
+pub mod own;
 pub mod report;
 pub mod scene;

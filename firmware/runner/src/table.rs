@@ -114,7 +114,7 @@ pub fn markdown(rows: &[Row], format: &str, cell: Cell) -> String {
     let engines = distinct(rows.iter().map(|row| row.engine.as_str()));
     let mut text = format!("| {format} | calls | pixels | {} |\n", engines.join(" | "));
     text += &format!("|---|---:|---:|{}\n", "---:|".repeat(engines.len()));
-    for workload in distinct(rows.iter().map(|row| row.workload.as_str())) {
+    for workload in order(&rows) {
         let same: Vec<&Row> = rows.iter().copied().filter(|r| r.workload == workload).collect();
         let cost = |engine: &&str| {
             let row = same.iter().find(|row| row.engine == *engine);
@@ -126,6 +126,21 @@ pub fn markdown(rows: &[Row], format: &str, cell: Cell) -> String {
         let _ = writeln!(text, "| {workload} | {calls} | {pixels} | {} |", cells.join(" | "));
     }
     text
+}
+
+/// The workloads in the order of the program. An engine leaves out what it cannot draw, so one that is new goes after the
+/// one that came before it.
+fn order<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
+    let mut seen: Vec<&str> = Vec::new();
+    let mut next = 0;
+    for row in rows {
+        let place = seen.iter().position(|name| *name == row.workload);
+        if place.is_none() {
+            seen.insert(next, &row.workload);
+        }
+        next = place.unwrap_or(next) + 1;
+    }
+    seen
 }
 
 /// The formats of some rows, in the order in which they first appear.
@@ -174,6 +189,15 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
              | rects-8x8 | 2 | 128 | 2.00 | – |\n"
         );
         assert_eq!(formats(&rows), ["rgb565", "gray8"]);
+    }
+
+    #[test]
+    fn a_workload_of_one_engine_only_keeps_its_place() {
+        let rows = [("clear", "a"), ("text", "a"), ("clear", "b"), ("star", "b"), ("text", "b")];
+        let rows =
+            rows.map(|(name, engine)| parse(&format!("{name};gray8;{engine};1.0;1;1;0;0")).expect("well-formed"));
+        let rows: Vec<&Row> = rows.iter().flatten().collect();
+        assert_eq!(order(&rows), ["clear", "star", "text"]);
     }
 
     #[test]

@@ -3,13 +3,17 @@
 #![no_main]
 
 use bench::scene::{Format, Scene};
-use bench::{bound, eg, report};
+use bench::{bound, eg, own, report};
 
 board::entry!(main);
 
 fn main() {
     let scene = Scene::new();
     report::header();
+    report::print(&own::RGB565, &mut own::Frame::new(), &scene);
+    report::print(&own::GRAY8, &mut own::Frame::new(), &scene);
+    report::print(&own::GRAY4, &mut own::Frame::new(), &scene);
+    report::print(&own::BINARY, &mut own::Frame::new(), &scene);
     report::print(&eg::RGB565, &mut eg::Rgb565Frame::new(), &scene);
     report::print(&eg::GRAY8, &mut eg::Gray8Frame::new(), &scene);
     report::print(&eg::GRAY4, &mut eg::Gray4Frame::new(), &scene);

@@ -1,0 +1,126 @@
+//! This crate, used as its documentation shows.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::pixelcolor::raw::RawU16;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
+use embedded_graphics::prelude::*;
+use embedded_raster::pixel::row_bytes;
+use embedded_raster::{Bitmap, Canvas, Edge, FillRule, Framebuffer, Index8, Palette, PixelFormat, Surface, Vertex};
+
+use crate::eg;
+use crate::engine::Engine;
+use crate::scene::{Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+
+/// Memory of a frame, as a firmware has it in a `static`, and the table of polygons.
+#[repr(align(4))]
+pub struct Frame<F> {
+    memory: [u8; Format::Rgb565.frame_bytes()],
+    table: [Edge; 256],
+    format: PhantomData<F>,
+}
+
+impl<F: PixelFormat> Frame<F> {
+    /// All zero.
+    pub const fn new() -> Self {
+        Self { memory: [0; Format::Rgb565.frame_bytes()], table: [Edge::EMPTY; 256], format: PhantomData }
+    }
+
+    fn surface(&mut self) -> Framebuffer<'_, F> {
+        Framebuffer::new(&mut self.memory, WIDTH as u16, HEIGHT as u16).unwrap()
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.memory[..row_bytes::<F>(WIDTH as u16) * HEIGHT]
+    }
+}
+
+impl<F: PixelFormat> Default for Frame<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// At 16 bits.
+pub const RGB565: Engine<Frame<Rgb565>> = {
+    let mut engine = engine(Format::Rgb565);
+    engine.expand = Some(expand);
+    engine
+};
+/// At 8 bits.
+pub const GRAY8: Engine<Frame<Gray8>> = engine(Format::Gray8);
+/// At 4 bits.
+pub const GRAY4: Engine<Frame<Gray4>> = engine(Format::Gray4);
+/// At 1 bit.
+pub const BINARY: Engine<Frame<BinaryColor>> = engine(Format::Binary);
+
+const fn engine<F: PixelFormat>(format: Format) -> Engine<Frame<F>> {
+    let mut engine = Engine::new("embedded-raster", format, |frame| frame.memory.fill(0), Frame::bytes);
+    engine.clear = Some(|frame, ink| frame.surface().clear(color::<F>(ink)));
+    engine.rects = Some(rects);
+    engine.rows = Some(rects);
+    engine.columns = Some(rects);
+    engine.lines = Some(lines);
+    engine.triangles = Some(triangles);
+    engine.polygon = Some(polygon);
+    engine.blit = Some(|frame, sprite| {
+        let source = bitmap::<F>(sprite);
+        sprite.at.iter().for_each(|&at| frame.surface().blit(at, &source));
+    });
+    engine.blit_key = Some(|frame, sprite| {
+        let source = bitmap::<F>(sprite);
+        sprite.at.iter().for_each(|&at| frame.surface().blit_keyed(at, &source, F::unpack(0)));
+    });
+    engine.text = Some(text);
+    engine
+}
+
+/// The colour whose value is the low bits of an ink.
+fn color<F: PixelFormat>(ink: Ink) -> F::Color {
+    F::unpack(u32::from(ink.0) & (1 << F::BITS) - 1)
+}
+
+fn rects<F: PixelFormat>(frame: &mut Frame<F>, rects: &[Rect]) {
+    let mut surface = frame.surface();
+    for rect in rects {
+        surface.fill_area(rect.area.into(), color::<F>(rect.ink));
+    }
+}
+
+fn lines<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
+    let mut surface = frame.surface();
+    for line in lines {
+        surface.draw_line(line.ends[0], line.ends[1], color::<F>(line.ink));
+    }
+}
+
+fn triangles<F: PixelFormat>(frame: &mut Frame<F>, triangles: &[Triangle]) {
+    let mut surface = frame.surface();
+    for triangle in triangles {
+        surface.fill_triangle(triangle.units.map(vertex), color::<F>(triangle.ink));
+    }
+}
+
+fn polygon<F: PixelFormat>(frame: &mut Frame<F>, outline: &Outline<'_>) {
+    let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
+    let vertices = outline.units.iter().map(|&v| vertex(v));
+    let color = color::<F>(outline.ink);
+    surface.fill_contours([vertices], FillRule::NonZero, &mut frame.table, color).unwrap();
+}
+
+fn vertex([x, y]: [i32; 2]) -> Vertex {
+    Vertex::from_bits(x, y)
+}
+
+fn bitmap<'a, F: PixelFormat>(sprite: &Sprite<'a>) -> Bitmap<'a, F> {
+    Bitmap::new(sprite.bytes, Sprite::SIDE as u16, Sprite::SIDE as u16).unwrap()
+}
+
+fn text<F: PixelFormat>(frame: &mut Frame<F>, labels: &[Label<'_>]) {
+    let Ok(()) = eg::text(&mut frame.surface(), labels, color::<F>);
+}
+
+fn expand(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
+    let palette = Palette::new(indexed.palette.map(|bits| Rgb565::from(RawU16::new(bits))));
+    palette.expand::<Index8, Rgb565>(indexed.indices, &mut frame.memory);
+}
