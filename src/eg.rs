@@ -5,7 +5,7 @@
 //! * [`draw_on`] makes a [`Surface`] of any other `DrawTarget`: every shape of this crate draws on it.
 //! * [`Recolored`] is a `DrawTarget` that translates colours on their way: an RGB image into an indexed framebuffer.
 
-use core::{convert::Infallible, marker::PhantomData};
+use core::{convert::Infallible, iter::FusedIterator, marker::PhantomData};
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
@@ -55,7 +55,7 @@ impl<F: PixelFormat> DrawTarget for Framebuffer<'_, F> {
     where
         I: IntoIterator<Item = F::Color>,
     {
-        let mut colors = colors.into_iter();
+        let mut colors = colors.into_iter().fuse();
         let window = self.window();
         for_each_row(area, window, &mut colors, |span, colors| self.write_span(span, colors));
         Ok(())
@@ -106,7 +106,7 @@ impl<C: PixelColor + PixelFormat<Color = C>> DrawTarget for Paged<'_, C> {
     where
         I: IntoIterator<Item = C>,
     {
-        let mut colors = colors.into_iter();
+        let mut colors = colors.into_iter().fuse();
         let window = self.window();
         for_each_row(area, window, &mut colors, |span, colors| {
             for (x, color) in (span.x0()..span.x1()).zip(colors) {
@@ -131,8 +131,9 @@ impl<C: PixelColor + PixelFormat<Color = C>> DrawTarget for Paged<'_, C> {
 
 /// Splits colours that fill `area` row by row into the spans that lie in `window`, skipping what does not.
 ///
-/// Work is that of the visible part: the iterator is told how many to skip in one call, and left alone after the end.
-fn for_each_row<I: Iterator>(
+/// Work is that of the visible part: the iterator is told how many to skip in one call. It has to be fused: one that went on
+/// after its end would paint rows further down.
+fn for_each_row<I: FusedIterator>(
     area: &Rectangle,
     window: Rect,
     colors: &mut I,
