@@ -78,6 +78,7 @@ fn mono_text<D: DrawTarget<Color: From<Rgb888>>>(target: &mut D) -> Result<(), D
     Ok(())
 }
 
+#[expect(clippy::unnecessary_wraps, reason = "as the others that are drawn in both")]
 fn u8g2_text<D: DrawTarget<Color: From<Rgb888>, Error: Debug>>(target: &mut D) -> Result<(), D::Error> {
     let (narrow, fixed) = (FontRenderer::new::<u8g2_font_helvB08_tr>(), FontRenderer::new::<u8g2_font_6x12_mr>());
     let (light, other) = colors::<D::Color>();
@@ -360,7 +361,7 @@ fn shapes_on_another_target_are_those_on_ours() {
     // A target with its origin elsewhere.
     let shift = Point::new(-5, 7);
     draw_on(&mut theirs.translated(shift), |canvas| {
-        canvas.draw_line(Point::new(5, -7), Point::new(9, -5), Index4::new(12))
+        canvas.draw_line(Point::new(5, -7), Point::new(9, -5), Index4::new(12));
     })
     .expect("memory takes everything");
     assert_eq!(theirs.pixel(Point::new(4, 2)), Some(Index4::new(12)), "translated");
@@ -385,10 +386,9 @@ impl DrawTarget for Flaky {
     fn draw_iter<I: IntoIterator<Item = Pixel<Index4>>>(&mut self, _: I) -> Result<(), u32> {
         self.calls += 1;
         if self.calls > self.good {
-            Err(self.calls)
-        } else {
-            Ok(())
+            return Err(self.calls);
         }
+        Ok(())
     }
 }
 

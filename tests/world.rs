@@ -87,7 +87,7 @@ fn every_land_pixel_belongs_to_one_country() {
             let differing = union.times.iter().zip(&owners.times).filter(|(a, b)| a != b).count();
             assert_eq!(differing, 0, "pixels by {rule:?} on {screen:?}");
         }
-        let land = owners.times.iter().filter(|&&times| times == 1).count() as u64;
+        let land = owners.times.iter().copied().map(u64::from).sum::<u64>();
         let mut table = vec![Edge::EMPTY; ALL_EDGES];
         let areas = world.areas(&mut table).expect("the table is large enough");
         assert_eq!(areas.iter().sum::<u64>(), land, "the sum of the areas on {screen:?}");
