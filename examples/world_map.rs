@@ -3,7 +3,7 @@
 //! `cargo run --release --example world_map` writes `world_map.png` and shows it in the terminal; `-- --help` tells the rest.
 //! How a country is drawn stands in `simulator/src/world/scene.rs`: a call of `fill_contours`, and `draw_line` for borders.
 
-use std::{error::Error, fs, process::ExitCode};
+use std::{cmp::Reverse, error::Error, fs, process::ExitCode};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
@@ -117,17 +117,22 @@ fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Res
     println!("RAM: {} bytes of {what}, {} of edge table", drawing.memory, size_of_val(&table));
     println!("drawn: {} countries, {vertices} vertices, {} pixels written", areas.len(), drawing.pixels);
     println!("covered: {land} pixels of land, {} of sea", globe.saturating_sub(land));
-    let mut sizes: Vec<_> =
-        areas.iter().zip(&map.countries).map(|(&area, country)| (area, &country.name[..])).collect();
-    sizes.sort_unstable_by(|a, b| b.cmp(a));
-    let named =
-        |list: &[(u64, &str)]| list.iter().map(|(area, name)| format!("{name} {area}")).collect::<Vec<_>>().join(", ");
-    let seen = sizes.iter().take_while(|(area, _)| *area > 0).count();
-    println!("largest: {}", named(&sizes[..seen.min(3)]));
-    println!("smallest: {}", named(&sizes[seen.saturating_sub(3)..seen]));
-    let unseen: Vec<_> = sizes[seen..].iter().map(|(_, name)| *name).collect();
-    println!("without a pixel: {}", if unseen.is_empty() { "none".into() } else { unseen.join(", ") });
+    let mut sizes: Vec<_> = areas.iter().zip(map.countries.iter().map(|country| &country.name)).collect();
+    sizes.sort_unstable_by_key(|&(&area, name)| (Reverse(area), name));
+    let (seen, unseen) = sizes.split_at(sizes.partition_point(|(&area, _)| area > 0));
+    let sized = |&(area, name): &(&u64, &String)| format!("{name} {area}");
+    println!("largest: {}", listed(seen.iter().take(3).map(sized)));
+    println!("smallest: {}", listed(seen.iter().rev().take(3).map(sized)));
+    println!("without a pixel: {}", listed(unseen.iter().map(|&(_, name)| name.clone())));
     Ok(())
+}
+
+fn listed(names: impl Iterator<Item = String>) -> String {
+    let names: Vec<_> = names.collect();
+    if names.is_empty() {
+        return "none".into();
+    }
+    names.join(", ")
 }
 
 /// Shows the map in a window, and does what the keys say.
