@@ -6,17 +6,19 @@
 //! within each row; but all rows before the last lie before the last pixel, so they are walked the same way, and the
 //! last row is a run.)
 
+use core::num::NonZeroU32;
+
 use bytemuck::{pod_align_to_mut, Pod};
 
 use super::{
     packed,
-    word::{self, keep_rolled, UNALIGNED},
+    word::{self, keep_rolled},
     PixelFormat,
 };
 use crate::{
     num::{
-        cast::{low_u16, low_u8},
-        round::fraction,
+        cast::{low_u16, low_u32, low_u8},
+        round::{fraction, DIVIDES},
     },
     span::Steps,
 };
@@ -80,8 +82,11 @@ fn steep<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, ste
     let Some(pixels) = pixels.get_mut(..=last) else { return };
     let Steps { right, len, minor, major, rest, .. } = steps;
     // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
-    if UNALIGNED && len > 16 && major < 1 << 16 && minor != 0 && minor != major {
-        let (part, step) = (fraction(rest.wrapping_add(major), major), fraction(minor, major));
+    let length =
+        NonZeroU32::new(major).filter(|_| DIVIDES && len > 16 && major < 1 << 16 && minor != 0 && minor != major);
+    if let Some(major) = length {
+        let fraction = |n| low_u32(fraction(n, major));
+        let (part, step) = (fraction(rest.wrapping_add(major.get())), fraction(minor));
         if right {
             glide(pixels, first, pitch, part, step, pixel);
         } else {

@@ -2,7 +2,7 @@
 //!
 //! A run of one colour is a pattern of 1, 2, 3 or 4 bytes. All but the third repeat in a 32-bit word, so a run is filled by
 //! words: a head and a tail, and aligned words between. How the words are written is shaped by what compilers make of it
-//! on small cores: see [`fill_span`] and [`fill_rows`].
+//! on small cores: see [`fill_span`] and [`fill_rows_wide`].
 
 use core::{hint::black_box, mem::take};
 
@@ -109,15 +109,14 @@ fn turned(word: u32, bytes: usize) -> u32 {
 /// 0 to 32 bytes.
 #[inline(always)]
 fn fill_short(run: &mut [u8], word: u32) {
-    let w = word.to_le_bytes();
-    let w8: [u8; 8] = bytemuck::cast([w, w]);
-    let w16: [u8; 16] = bytemuck::cast([w, w, w, w]);
+    // As integers, not as arrays of bytes: those are taken apart and stored byte by byte.
+    let pair = u64::from(word) << 32 | u64::from(word);
     if run.len() > 16 {
-        put_ends(run, w16);
+        put_ends(run, (u128::from(pair) << 64 | u128::from(pair)).to_le_bytes());
     } else if run.len() >= 8 {
-        put_ends(run, w8);
+        put_ends(run, pair.to_le_bytes());
     } else if run.len() >= 4 {
-        put_ends(run, w);
+        put_ends(run, word.to_le_bytes());
     } else {
         fill_end(run, word);
     }
@@ -197,52 +196,85 @@ fn fill_words(words: &mut [u32], w: u32) {
     }
 }
 
-/// Words to a round of [`fill_rows_wide`].
-const WIDE: usize = 40;
+/// A word nine times, under names that a compiler cannot tell to be equal: each is made in another way from the word and
+/// a zero whose value is hidden. Of values that it knows to be equal it would keep one, in one register.
+#[inline(always)]
+fn nine_names(w: u32) -> [u32; 9] {
+    let z = black_box(0_u32);
+    [
+        w,
+        w ^ z,
+        w | z,
+        w.wrapping_add(z),
+        w.wrapping_sub(z),
+        w & !z,
+        w.wrapping_shl(z),
+        w.wrapping_shr(z),
+        w.rotate_right(z),
+    ]
+}
+
+/// Rows of at least this many bytes are filled by multiple stores.
+const WIDE: usize = 4 * 40 + 8;
 
 /// The rows of a rectangle, with a pattern of 1, 2 or 4 bytes.
-pub(super) fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32) {
-    // Rows of whole words apart keep the alignment that the first one has.
-    if UNALIGNED && len >= 4 * WIDE + 8 && (stride.is_multiple_of(4) || memory.len() <= stride) {
+fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32) {
+    if UNALIGNED && len >= LONG && memory.len() <= stride {
+        fill_long(memory, word);
+    } else if UNALIGNED && len >= WIDE && stride.is_multiple_of(4) {
         fill_rows_wide(memory, stride, len, word);
     } else {
         rows(memory, stride, len, |row| fill_span(row, word));
     }
 }
 
-/// Long rows by multiple stores: Cortex-M stores eight registers with one instruction, if there are eight registers.
+/// Wide rows, by multiple stores: Cortex-M stores eight registers with one instruction, if there are eight registers.
 ///
-/// A compiler that knows eight values to be equal keeps one. So each is made in another way from the word and a zero whose
-/// value is hidden; their order makes the register numbers ascend, as the instruction needs them. Another order would
-/// cost speed, not pixels.
+/// The order of the names makes the register numbers ascend, as the instruction needs them; it was read off the assembly.
+/// Another order would cost speed, not pixels. Rows that are whole words apart are all aligned like the first.
 #[inline(never)]
 fn fill_rows_wide(memory: &mut [u8], stride: usize, len: usize, word: u32) {
     let bytes = word.to_le_bytes();
-    let head = pod_align_to_mut::<u8, u32>(memory).0.len();
-    let w = turned(word, head);
-    let z = black_box(0_u32);
-    let v: [u32; 8] =
-        [w, w ^ z, w | z, w.wrapping_add(z), w.wrapping_sub(z), w & !z, w.wrapping_shl(z), w.wrapping_shr(z)];
-    let [a, b, c, d, e, f, g, h] = [v[6], v[1], v[7], v[5], v[4], v[3], v[2], v[0]];
-    #[rustfmt::skip]
-    let group: [u32; WIDE] = [
-        a, b, c, d, e, f, g, h,
-        a, b, c, d, e, f, g, h,
-        a, b, c, d, e, f, g, h,
-        a, b, c, d, e, f, g, h,
-        a, b, c, d, e, f, g, h,
-    ];
+    let w = turned(word, pod_align_to_mut::<u8, u32>(memory).0.len());
+    let v = nine_names(w);
+    let group = [v[7], v[2], v[1], v[0], v[5], v[4], v[3], v[6]];
     rows(memory, stride, len, |row| {
         put_ends(row, bytes);
         let (_, words, _) = pod_align_to_mut::<u8, u32>(row);
-        for place in words.chunks_exact_mut(WIDE) {
-            place.copy_from_slice(&group);
+        for five in words.chunks_exact_mut(40) {
+            five.chunks_exact_mut(8).for_each(|place| place.copy_from_slice(&group));
             keep_rolled();
         }
-        if let Some(last) = words.last_chunk_mut() {
-            *last = group;
+        if let Some(last) = words.last_chunk_mut::<40>() {
+            last.chunks_exact_mut(8).for_each(|place| place.copy_from_slice(&group));
         }
     });
+}
+
+/// Runs of at least this many bytes are filled by [`fill_long`].
+const LONG: usize = 4 * 4 * 126;
+
+/// One long run, such as a whole screen: nine registers at a time, fourteen times a round.
+fn fill_long(run: &mut [u8], word: u32) {
+    put_ends(run, word.to_le_bytes());
+    let (head, words, _) = pod_align_to_mut::<u8, u32>(run);
+    let w = turned(word, head.len());
+    let rounds = words.len() - words.len() % 126;
+    if let Some((long, rest)) = words.split_at_mut_checked(rounds) {
+        fill_rounds(long, w);
+        fill_words(rest, w);
+    }
+}
+
+/// Whole rounds of 126 words. It is alone in its function so that every register is free.
+#[inline(never)]
+fn fill_rounds(words: &mut [u32], w: u32) {
+    let v = nine_names(w);
+    let group = [v[7], v[0], v[6], v[2], v[1], v[8], v[4], v[3], v[5]];
+    for round in words.chunks_exact_mut(126) {
+        round.chunks_exact_mut(9).for_each(|place| place.copy_from_slice(&group));
+        keep_rolled();
+    }
 }
 
 /// A run of 3-byte pixels: four of them make three words.

@@ -23,7 +23,7 @@ use crate::{
     num::{
         cast::{signed, signed_wide, unsigned},
         round::{difference, first_centre_after, first_centre_from, floor_div_rem, floor_div_rem_wide},
-        stepper::Stepper,
+        stepper::{Stepper, Walk},
     },
 };
 
@@ -60,30 +60,35 @@ impl Edge {
     pub(crate) fn new(a: Vertex, b: Vertex, (y, end): (i32, i32)) -> Self {
         let (a, b) = (bits(a), bits(b));
         let (upper, lower, winding) = if a.1 <= b.1 { (a, b, 1) } else { (b, a, -1) };
-        let Some(dy) = NonZeroU32::new(lower.1.abs_diff(upper.1)) else { return Self::EMPTY };
+        let Some(slope) = Slope::new(upper, lower) else { return Self::EMPTY };
         let skip = y.wrapping_sub(first_centre_from(upper.1));
-        Self { crossing: Slope { upper, lower, dy }.crossing(skip, end.wrapping_sub(y)), y, end, winding }
+        Self { crossing: slope.crossing(skip, end.wrapping_sub(y)), y, end, winding }
     }
 }
 
 /// A side from its upper to its lower end.
 #[derive(Copy, Clone)]
 pub(crate) struct Slope {
-    pub(crate) upper: (i32, i32),
-    pub(crate) lower: (i32, i32),
+    upper: (i32, i32),
+    lower: (i32, i32),
     pub(crate) dy: NonZeroU32,
 }
 
 impl Slope {
-    /// The stepper of its crossings, `skip` rows below the first row it crosses, good for `rows` rows.
-    #[inline]
-    pub(crate) fn crossing(self, skip: i32, rows: i32) -> Stepper {
+    /// `None` if it is horizontal.
+    #[inline(always)]
+    pub(crate) fn new(upper: (i32, i32), lower: (i32, i32)) -> Option<Self> {
+        let dy = NonZeroU32::new(lower.1.abs_diff(upper.1))?;
+        Some(Self { upper, lower, dy })
+    }
+
+    /// A walk over its crossings that starts `skip` rows below the first row it crosses, good for `rows` rows.
+    #[inline(always)]
+    pub(crate) fn crossing<W: Walk>(self, skip: i32, rows: i32) -> W {
         let width = self.lower.0.abs_diff(self.upper.0);
-        if (width | self.dy.get()) < 1 << 16 {
-            self.small(skip, rows)
-        } else {
-            self.large(skip, rows)
-        }
+        let (start, step) =
+            if (width | self.dy.get()) < 1 << 16 { self.small(skip, rows) } else { self.large(skip, rows) };
+        W::new(self.dy, start, step)
     }
 
     /// (p, f, g): the pixel and fraction of the upper end, and the distance down to the first centre below it.
@@ -93,27 +98,28 @@ impl Slope {
         (first_centre_after(ax), unsigned(ax.wrapping_add(128)) & 255, 128_u32.wrapping_sub(unsigned(ay)) & 255)
     }
 
+    /// Quotient and remainder of the first crossing, and of what a row adds to it.
     #[inline(always)]
-    fn small(self, skip: i32, rows: i32) -> Stepper {
+    fn small(self, skip: i32, rows: i32) -> ((i32, u32), (i32, u32)) {
         let (p, f, g) = self.start();
         let dx = self.lower.0.wrapping_sub(self.upper.0);
         let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(signed(g).wrapping_mul(dx));
         let m = (n.wrapping_sub(1) >> 8).wrapping_add(skip.wrapping_mul(dx));
         let (k, rest) = floor_div_rem(m, self.dy);
-        let slope = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
-        Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
+        let step = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
+        ((p.wrapping_add(k), rest), step)
     }
 
     #[cold]
     #[inline(never)]
-    fn large(self, skip: i32, rows: i32) -> Stepper {
+    fn large(self, skip: i32, rows: i32) -> ((i32, u32), (i32, u32)) {
         let (p, f, g) = self.start();
         let dx = difference(self.lower.0, self.upper.0);
         let n = signed_wide(u64::from(f) * u64::from(self.dy.get())).wrapping_add(dx.wrapping_mul(i64::from(g)));
         let m = (n.wrapping_sub(1) >> 8).wrapping_add(dx.wrapping_mul(i64::from(skip)));
         let (k, rest) = floor_div_rem_wide(m, self.dy);
-        // A second row is a pixel lower: dy >= 256 and the slope fits 32 bits with room to spare.
-        let slope = if rows > 1 { floor_div_rem_wide(dx, self.dy) } else { (0, 0) };
-        Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
+        // A second row is a pixel lower: dy > 256, and the slope fits 32 bits with room to spare.
+        let step = if rows > 1 { floor_div_rem_wide(dx, self.dy) } else { (0, 0) };
+        ((p.wrapping_add(k), rest), step)
     }
 }

@@ -18,7 +18,7 @@
 
 use core::{
     cmp::Ordering,
-    num::{NonZeroU32, Wrapping},
+    num::Wrapping,
     ops::{Add, AddAssign, BitOr},
 };
 
@@ -26,9 +26,9 @@ use super::edge::Slope;
 use crate::{
     geom::{bits, Vertex},
     num::{
-        cast::narrow,
-        round::{compare_products, difference, first_centre_from},
-        stepper::Stepper,
+        cast::{narrow, signed},
+        round::{compare_products, difference, first_centre_from, DIVIDES},
+        stepper::{Glide, Stepper, Walk},
     },
     rect::Rect,
     span::{ClippedSpan, Span},
@@ -48,44 +48,62 @@ use crate::{
 /// assert_eq!(widths, [3, 2, 1]); // centres on the slope, a right edge, are out
 /// ```
 #[inline]
-pub fn fill(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(ClippedSpan)) {
+pub fn fill(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
+    if DIVIDES {
+        fill_by::<Glide>(corners, window, emit);
+    } else {
+        fill_by::<Stepper>(corners, window, emit);
+    }
+}
+
+#[inline(always)]
+fn fill_by<W: Walk>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(ClippedSpan)) {
     let [a, b, c] = sorted(corners.map(bits));
     let (top, middle, bottom) = (first_centre_from(a.1), first_centre_from(b.1), first_centre_from(c.1));
     let (y0, y1) = (top.max(window.y0), bottom.min(window.y1));
-    let turn = middle.max(y0).min(y1);
     if y0 >= y1 || window.x0 >= window.x1 {
         return;
     }
-    let Some(mut long) = side(a, c, y0.wrapping_sub(top), y1.wrapping_sub(y0)) else { return };
-    if let Some(short) = side(a, b, y0.wrapping_sub(top), turn.wrapping_sub(y0)) {
-        rows(&mut long, short, y0, turn, window, &mut emit);
-    }
-    if let Some(short) = side(b, c, turn.wrapping_sub(middle), y1.wrapping_sub(turn)) {
-        rows(&mut long, short, turn, y1, window, &mut emit);
-    }
-}
-
-/// The side from `upper` to `lower`, `skip` rows below its first: `None` if it crosses none of the rows that are drawn.
-#[inline(always)]
-fn side(upper: (i32, i32), lower: (i32, i32), skip: i32, rows: i32) -> Option<Stepper> {
-    if rows <= 0 {
-        return None;
-    }
-    let dy = NonZeroU32::new(lower.1.abs_diff(upper.1))?;
-    Some(Slope { upper, lower, dy }.crossing(skip, rows))
-}
-
-/// Rows `y0..y1` between two sides. Which one is left may differ from triangle to triangle, but both are rounded alike.
-#[inline(always)]
-fn rows(long: &mut Stepper, mut short: Stepper, y0: i32, y1: i32, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
-    for y in y0..y1 {
-        let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
-        if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
-            emit(span);
+    let turn = middle.max(y0).min(y1);
+    let Some(long) = Slope::new(a, c) else { return };
+    let exact = W::steps(long.dy);
+    let mut long_side: W = long.crossing(y0.wrapping_sub(top), y1.wrapping_sub(y0));
+    let b_is_left = is_left(a, b, c);
+    // One loop for both halves, so that there is one call of `emit` to be inlined.
+    for (upper, lower, first, start, end) in [(a, b, top, y0, turn), (b, c, middle, turn, y1)] {
+        let Some(short) = Slope::new(upper, lower) else { continue };
+        let mut start = start;
+        while start < end {
+            let (rows, stop) = (end.wrapping_sub(start), start.saturating_add(exact).min(end));
+            let short_side: W = short.crossing(start.wrapping_sub(first), rows);
+            if exact < y1.wrapping_sub(y0) {
+                long_side = long.crossing(start.wrapping_sub(top), y1.wrapping_sub(start));
+            }
+            let (mut left, mut right) = if b_is_left { (short_side, long_side) } else { (long_side, short_side) };
+            for y in start..stop {
+                if let Some(span) = (Span { y, x0: left.value(), x1: right.value() }).clip_columns(window) {
+                    emit(span);
+                }
+                left.step();
+                right.step();
+            }
+            long_side = if b_is_left { right } else { left };
+            start = stop;
         }
-        long.step();
-        short.step();
     }
+}
+
+/// Whether b lies left of the line from a down to c.
+#[inline(always)]
+fn is_left(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> bool {
+    let (dx, dy) = (c.0.abs_diff(a.0), c.1.abs_diff(a.1));
+    if (dx | dy | b.0.abs_diff(a.0)) < 1 << 15 {
+        // dy of the short side is not above that of the long one.
+        let (bx, by) = (b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1));
+        return bx.wrapping_mul(signed(dy)) < by.wrapping_mul(c.0.wrapping_sub(a.0));
+    }
+    let left = (difference(b.0, a.0), i64::from(dy));
+    compare_products(left, (difference(b.1, a.1), difference(c.0, a.0))) == Ordering::Less
 }
 
 /// By y, with three compare-exchanges.
@@ -205,10 +223,13 @@ mod tests {
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
         let corners = corners.map(|(x, y)| Vertex::from_bits(x, y));
-        let mut spans = [vec![], vec![]];
-        fill(corners, window, |s| spans[0].push((s.y(), s.x0(), s.x1())));
+        let mut spans = [vec![], vec![], vec![]];
+        fill_by::<Stepper>(corners, window, |s| spans[0].push((s.y(), s.x0(), s.x1())));
         walk(corners, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));
-        spans
+        fill_by::<Glide>(corners, window, |s| spans[2].push((s.y(), s.x0(), s.x1())));
+        let [solved, walked, glided] = spans;
+        assert_eq!(solved, glided, "the two ways to step along {corners:?}");
+        [solved, walked]
     }
 
     #[test]
@@ -216,6 +237,22 @@ mod tests {
         let [solved, walked] = both([(128, 128), (1152, 128), (128, 1152)], Rect::new(0, 0, 8, 8));
         assert_eq!(solved, [(0, 0, 4), (1, 0, 3), (2, 0, 2), (3, 0, 1)]);
         assert_eq!(walked, solved);
+    }
+
+    #[test]
+    fn random_triangles_agree_in_every_way() {
+        let mut state = 1_u64;
+        let mut random = |bits: u32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 32) as u32 as i32) >> (32 - bits)
+        };
+        for i in 0..200_000 {
+            let bits = [10, 12, 14, 16, 17, 20, 25, 32][i % 8];
+            let corners = [(); 3].map(|()| (random(bits), random(bits)));
+            let (x, y) = ((random(bits) >> 8).max(-1 << 22), random(bits) >> 8);
+            let [solved, walked] = both(corners, Rect::new(x - 20, y - 20, x + 20, y + 20));
+            assert_eq!(walked, solved, "{corners:?}");
+        }
     }
 
     #[test]

@@ -241,6 +241,7 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
         self.window
     }
 
+    // Inlined into the loops of the shapes even at their several call sites: a call would cost as much as a short span.
     #[inline(always)]
     fn fill_span(&mut self, span: ClippedSpan, color: F::Color) {
         let row = self.row_start(span.y());
