@@ -201,7 +201,7 @@ fn shapes_without_area_paint_nothing() {
 #[test]
 fn repeated_and_collinear_vertices_change_nothing() {
     let plain = [(300, 200), (7000, 900), (6000, 6100), (1100, 5000)];
-    let middle = |a: Units, b: Units| ((a.0 + b.0) / 2, (a.1 + b.1) / 2);
+    let middle = |a: Units, b: Units| (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
     let [a, b, c, d] = plain;
     let wanted = check_polygon(&plain, WINDOW);
     for same in [vec![a, a, b, c, c, c, d], vec![a, middle(a, b), b, c, middle(c, d), d, a], vec![a, b, c, d, a]] {
@@ -309,7 +309,7 @@ fn no_drift_over_4095_rows() {
                     next += 1;
                 }
                 None => {
-                    assert!((1900..2500).all(|x| !twins::triangle_has(units, x, y)), "row {y} of {units:?} is missing")
+                    assert!((1900..2500).all(|x| !twins::triangle_has(units, x, y)), "row {y} of {units:?} is missing");
                 }
             }
         }
@@ -328,12 +328,12 @@ fn combs_with_teeth_thinner_than_a_pixel() {
     for tooth in 1..=40 {
         for (tip, base) in [(HALF, 12 * PX), (HALF - 1, 10 * PX + HALF), (0, 11 * PX + 3)] {
             let teeth = (15 * PX / tooth).min(260);
-            let mut outline: Vec<Units> =
+            let outline: Vec<Units> =
                 (0..2 * teeth).map(|i| (i * tooth, if i % 2 == 0 { base } else { tip })).collect();
             check_polygon(&outline, window);
             // Lying on its side.
-            outline.iter_mut().for_each(|p| *p = (p.1, p.0));
-            check_polygon(&outline, window);
+            let lying: Vec<Units> = outline.iter().map(|&(x, y)| (y, x)).collect();
+            check_polygon(&lying, window);
             // Nearly horizontal teeth: the tips differ in height by one unit.
             let low: Vec<Units> = (0..2 * teeth).map(|i| (i % 2 * 15 * PX, HALF + i * tooth / 2 + i % 2)).collect();
             check_polygon(&low, window);

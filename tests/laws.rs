@@ -966,7 +966,7 @@ mod palettes {
 
         let table = Palette::rgb332();
         for (i, c) in table.colors().iter().enumerate() {
-            let nearest = |n: usize, max: usize| ((n * 255) as f64 / max as f64).round() as u8;
+            let nearest = |n: usize, max: u32| (f64::from(n as u32 * 255) / f64::from(max)).round() as u8;
             assert_eq!(*c, Rgb888::new(nearest(i >> 5, 7), nearest(i >> 2 & 7, 7), nearest(i & 3, 3)), "{i}");
         }
 

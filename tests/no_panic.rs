@@ -1,0 +1,437 @@
+//! Any bits in any argument: no panic, no overflow, no endless loop. Tests run with every overflow check on.
+//!
+//! Nothing is compared here; what comes out is the business of the other tests. Windows that are painted are small, as work
+//! depends on what is visible; everything else may be as large and as wrong as the types allow.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "any bits will do"
+)]
+
+mod support;
+
+use std::{convert::Infallible, hint::black_box};
+
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point, Size},
+    image::GetPixel,
+    pixelcolor::{BinaryColor, Gray8, Rgb555, Rgb565, Rgb888, RgbColor},
+    primitives::Rectangle,
+    Pixel,
+};
+use embedded_raster::{
+    buffer_bytes,
+    eg::{draw_on, recolored},
+    pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
+    raster::{line, polygon, rectangle, triangle},
+    surface::{paged_bytes, Counter, Paged},
+    Bitmap, Canvas, ClippedSpan, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat,
+    Rect, Span, Steps, Surface, Vertex,
+};
+use support::{memory::color, rng::Rng};
+
+/// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
+const EXTREMES: [i32; 21] = [
+    i32::MIN,
+    i32::MIN + 1,
+    i32::MIN + 128,
+    -(1 << 24),
+    -65_537,
+    -257,
+    -128,
+    -1,
+    0,
+    1,
+    127,
+    128,
+    255,
+    256,
+    65_535,
+    65_536,
+    1 << 24,
+    i32::MAX - 255,
+    i32::MAX - 127,
+    i32::MAX - 1,
+    i32::MAX,
+];
+
+fn wild(rng: &mut Rng) -> i32 {
+    match rng.below(8) {
+        0 => rng.bits() as i32,
+        1 | 2 => rng.int(-40, 60),
+        3 => rng.int(-9_000, 9_000),
+        _ => rng.pick(&EXTREMES),
+    }
+}
+
+fn wild_size(rng: &mut Rng) -> usize {
+    match rng.below(6) {
+        0 => rng.bits() as usize,
+        1 => rng.pick(&[usize::MAX, usize::MAX - 1, usize::MAX / 2, 1 << 32, 1 << 31]),
+        _ => rng.index(70),
+    }
+}
+
+fn wild_u16(rng: &mut Rng) -> u16 {
+    if rng.one_in(3) {
+        rng.pick(&[65_535, 65_534, 32_768, 256, 1, 0])
+    } else {
+        rng.below(20) as u16
+    }
+}
+
+fn wild_rect(rng: &mut Rng) -> Rect {
+    Rect::new(wild(rng), wild(rng), wild(rng), wild(rng))
+}
+
+fn wild_point(rng: &mut Rng) -> Point {
+    Point::new(wild(rng), wild(rng))
+}
+
+fn wild_vertex(rng: &mut Rng) -> Vertex {
+    Vertex::from_bits(wild(rng), wild(rng))
+}
+
+fn wild_rectangle(rng: &mut Rng) -> Rectangle {
+    let size = Size::new(wild(rng) as u32, wild(rng) as u32);
+    Rectangle::new(wild_point(rng), size)
+}
+
+/// A window of at most 16 x 16, anywhere, sometimes inside out.
+fn small_window(rng: &mut Rng) -> Rect {
+    let (x, y) = (wild(rng), wild(rng));
+    Rect::new(x, y, x.saturating_add(rng.int(-1, 16)), y.saturating_add(rng.int(-1, 16)))
+}
+
+fn look(span: ClippedSpan) {
+    black_box((span.y(), span.x0(), span.x1(), span.len()));
+}
+
+fn look_at_steps(mut steps: Steps) {
+    black_box((steps.first(), steps.last(), steps.len(), steps.is_steep(), steps.goes_right(), steps.next_is_minor()));
+    // Not all of a line from end to end.
+    if steps.len() < 100 {
+        steps.spans(look);
+    }
+}
+
+#[test]
+fn rectangles_and_spans() {
+    let mut others = Rng::new(110);
+    for x0 in EXTREMES {
+        for y0 in EXTREMES {
+            for x1 in EXTREMES {
+                for y1 in EXTREMES {
+                    let (a, b) = (Rect::new(x0, y0, x1, y1), wild_rect(&mut others));
+                    black_box((a.is_empty(), a.contains(x1, y0), a.intersection(b), a.relative_to(b.x0, b.y0)));
+                    black_box((a.width(), a.height(), Rectangle::from(a)));
+                    let eg = Rectangle::new(Point::new(x0, y0), Size::new(x1 as u32, y1 as u32));
+                    black_box(Rect::from(eg));
+                    if let Some(span) = (Span { y: y0, x0, x1 }).clip(b) {
+                        look(span);
+                    }
+                    let (v, w) = (Vertex::from_bits(x0, y0), Vertex::from_bits(x1, y1));
+                    black_box((rectangle::pixels(v, w), v.pixel(), Vertex::px(x0, y0)));
+                    black_box(Vertex::centre_of(Point::new(x1, y1)));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn lines() {
+    let mut rng = Rng::new(111);
+    for x0 in EXTREMES {
+        for y0 in EXTREMES {
+            for x1 in EXTREMES {
+                for y1 in EXTREMES {
+                    for window in [small_window(&mut rng), wild_rect(&mut rng)] {
+                        if let Some(steps) = line::clip(Point::new(x0, y0), Point::new(x1, y1), window) {
+                            look_at_steps(steps);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    let everything = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
+    for _ in 0..300_000 {
+        for window in [small_window(&mut rng), wild_rect(&mut rng), everything] {
+            if let Some(steps) = line::clip(wild_point(&mut rng), wild_point(&mut rng), window) {
+                look_at_steps(steps);
+            }
+        }
+    }
+}
+
+#[test]
+fn triangles() {
+    let mut rng = Rng::new(112);
+    for _ in 0..400_000 {
+        let corners = [wild_vertex(&mut rng), wild_vertex(&mut rng), wild_vertex(&mut rng)];
+        let window = small_window(&mut rng);
+        triangle::fill(corners, window, look);
+        triangle::walk(corners, window, look);
+    }
+    // Any window: for triangles of less than a row it cannot matter how large it is.
+    for _ in 0..100_000 {
+        let (a, y) = (wild(&mut rng), wild(&mut rng));
+        let corners =
+            [(); 3].map(|()| Vertex::from_bits(a.saturating_add(rng.int(0, 900)), y.saturating_add(rng.int(0, 600))));
+        let window = wild_rect(&mut rng);
+        triangle::fill(corners, window, look);
+        triangle::walk(corners, window, look);
+    }
+}
+
+#[test]
+fn polygons() {
+    let mut rng = Rng::new(113);
+    for _ in 0..150_000 {
+        let outline: Vec<Vertex> = (0..rng.index(12)).map(|_| wild_vertex(&mut rng)).collect();
+        let (first, second) = outline.split_at(rng.index(outline.len() + 1));
+        let mut table = vec![Edge::EMPTY; rng.index(14)];
+        let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
+        let window = small_window(&mut rng);
+        if let Err(error) = polygon::fill([first, second], rule, window, &mut table, look) {
+            black_box(format!("{error} {error:?}"));
+        }
+    }
+}
+
+/// The number that a table is too small by, and every row, when the window is as high as the type.
+#[test]
+fn polygons_without_a_window() {
+    let mut rng = Rng::new(114);
+    let everything = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
+    for _ in 0..20_000 {
+        let (x, y) = (wild(&mut rng), wild(&mut rng));
+        let near = |n: i32, rng: &mut Rng| n.saturating_add(rng.int(-2_000, 2_000));
+        let outline: Vec<Vertex> = (0..9).map(|_| Vertex::from_bits(near(x, &mut rng), near(y, &mut rng))).collect();
+        let mut table = vec![Edge::EMPTY; rng.index(10)];
+        black_box(polygon::fill([&outline], FillRule::EvenOdd, everything, &mut table, look).is_ok());
+    }
+    // Rows without end, and no slot at all.
+    let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| Vertex::from_bits(x, y));
+    assert!(polygon::fill([&huge], FillRule::EvenOdd, everything, &mut [], look).is_err(), "no slots");
+}
+
+/// Everything that a framebuffer of a format can be asked to do.
+fn framebuffer<F: PixelFormat>(seed: u64) {
+    let mut rng = Rng::new(seed);
+    for _ in 0..12_000 {
+        let (width, height) = (rng.below(17) as u16, rng.below(17) as u16);
+        let mut memory = vec![0; buffer_bytes::<F>(width, height) + rng.index(9)];
+        let (mut other, color) = (memory.clone(), color::<F>(&mut rng));
+        let mut frame = Framebuffer::<F>::new(&mut memory, width, height).expect("it is large enough");
+        let mut source = Framebuffer::<F>::new(&mut other, width, height).expect("it is large enough");
+        let source = source.view(wild_rect(&mut rng));
+        let mut view = frame.view(wild_rect(&mut rng));
+        let mut view = view.clipped(wild_rect(&mut rng));
+        let mut view = if rng.one_in(2) { view.view(wild_rect(&mut rng)) } else { view };
+        shapes(&mut view, &mut rng, color);
+        reads(&view, &mut rng);
+        copies(&mut view, &source.as_bitmap(), &mut rng, color);
+        embedded_graphics(&mut view, &mut rng, color);
+        // Spans and steps that were clipped against the window of something else.
+        let larger = Rect::new(-50, -50, 300, 300);
+        if let Some(span) =
+            (Span { y: wild(&mut rng), x0: wild(&mut rng), x1: wild(&mut rng) }).clip(wild_rect(&mut rng))
+        {
+            view.fill_span(span, color);
+        }
+        if let Some(steps) = line::clip(wild_point(&mut rng), wild_point(&mut rng), larger) {
+            view.fill_steps(steps, color);
+        }
+    }
+    constructors::<F>(&mut rng);
+}
+
+fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
+    surface.fill_window(color);
+    surface.fill_area(wild_rect(rng), color);
+    surface.draw_point(wild_vertex(rng), color);
+    surface.draw_line(wild_point(rng), wild_point(rng), color);
+    surface.draw_polyline((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
+    surface.fill_rectangle(wild_vertex(rng), wild_vertex(rng), color);
+    surface.fill_triangle([wild_vertex(rng), wild_vertex(rng), wild_vertex(rng)], color);
+    let outline: Vec<Vertex> = (0..rng.index(9)).map(|_| wild_vertex(rng)).collect();
+    let mut table = vec![Edge::EMPTY; rng.index(9)];
+    black_box(surface.fill_polygon(&outline, FillRule::NonZero, &mut table, color).is_ok());
+    black_box(surface.fill_contours([&outline, &outline], FillRule::EvenOdd, &mut table, color).is_ok());
+}
+
+fn reads<F: PixelFormat>(frame: &Framebuffer<'_, F>, rng: &mut Rng) {
+    black_box((frame.window(), frame.size(), frame.stride()));
+    black_box(frame.get(wild_point(rng)).is_some());
+    let area = wild_rect(rng);
+    black_box(frame.bytes(area).map(<[u8]>::len).sum::<usize>());
+    black_box(frame.colors(area).count());
+    black_box(frame.row_bytes(wild_u16(rng)..wild_u16(rng)).len());
+    let bitmap = frame.as_bitmap().part(wild_rect(rng));
+    black_box((bitmap.window(), bitmap.size(), bitmap.get(wild_point(rng)).is_some()));
+    black_box(bitmap.bytes(wild_rect(rng)).count());
+}
+
+fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>, rng: &mut Rng, key: F::Color) {
+    let part = source.part(wild_rect(rng));
+    for source in [source, &part] {
+        frame.blit(wild_point(rng), source);
+        frame.blit_keyed(wild_point(rng), source, key);
+    }
+    frame.move_area(wild_rect(rng), wild_point(rng));
+    frame.move_area_keyed(wild_rect(rng), wild_point(rng), key);
+    frame.set(wild_point(rng), key);
+    frame.clear(key);
+}
+
+fn embedded_graphics<D>(target: &mut D, rng: &mut Rng, color: <D as DrawTarget>::Color)
+where
+    D: DrawTarget<Error = Infallible> + GetPixel<Color = <D as DrawTarget>::Color>,
+{
+    let pixels = [wild_point(rng), wild_point(rng)].map(|p| Pixel(p, color));
+    let Ok(()) = target.draw_iter(pixels);
+    let Ok(()) = target.fill_solid(&wild_rectangle(rng), color);
+    let Ok(()) = target.fill_contiguous(&wild_rectangle(rng), core::iter::repeat(color));
+    let Ok(()) = target.fill_contiguous(&wild_rectangle(rng), core::iter::repeat_n(color, rng.index(300)));
+    let Ok(()) = target.clear(color);
+    black_box(target.pixel(wild_point(rng)).is_some());
+    // Through the crate's own adapters, there and back. Not often: a view may claim to be 65,535 rows high, and draws all.
+    if rng.one_in(20) {
+        let Ok(()) = draw_on(target, |surface| shapes(surface, rng, color));
+    }
+    let mut recolored = recolored(target, |_: BinaryColor| color);
+    black_box(recolored.bounding_box());
+    let Ok(()) = recolored.fill_solid(&wild_rectangle(rng), BinaryColor::On);
+    let Ok(()) = recolored.fill_contiguous(&wild_rectangle(rng), core::iter::repeat_n(BinaryColor::On, 99));
+    let Ok(()) = recolored.draw_iter([Pixel(wild_point(rng), BinaryColor::Off)]);
+    let Ok(()) = recolored.clear(BinaryColor::Off);
+}
+
+fn constructors<F: PixelFormat>(rng: &mut Rng) {
+    let mut memory = vec![0; 600];
+    for _ in 0..5_000 {
+        let (width, height) = (wild_u16(rng), wild_u16(rng));
+        black_box((row_bytes::<F>(width), buffer_bytes::<F>(width, height), paged_bytes(width, height)));
+        let length = rng.index(601);
+        let (memory, stride) = (&mut memory[..length], wild_size(rng));
+        black_box(Bitmap::<F>::new(memory, width, height).is_ok());
+        let bitmap = Bitmap::<F>::with_stride(memory, width, height, stride);
+        let Ok(bitmap) = bitmap else {
+            black_box(bitmap.map_err(|e| e.to_string()).is_ok());
+            continue;
+        };
+        black_box(bitmap.bytes(wild_rect(rng)).map(<[u8]>::len).sum::<usize>());
+        black_box(bitmap.get(wild_point(rng)).is_some());
+        // A stride without end is fine as long as there is one row, or none.
+        let mut other = memory.to_vec();
+        let mut frame = Framebuffer::<F>::with_stride(&mut other, width, height, stride).expect("like the bitmap");
+        let color = color::<F>(rng);
+        if width < 100 && height < 100 {
+            shapes(&mut frame, rng, color);
+            copies(&mut frame, &bitmap, rng, color);
+        }
+        reads(&frame, rng);
+        black_box(Framebuffer::<F>::band(memory, width, height, wild_u16(rng)..wild_u16(rng)).is_ok());
+    }
+}
+
+#[test]
+fn framebuffers_of_bits() {
+    framebuffer::<Index1>(120);
+    framebuffer::<Lsb0<Index2>>(121);
+    framebuffer::<Index4>(122);
+}
+
+#[test]
+fn framebuffers_of_bytes() {
+    framebuffer::<Gray8>(123);
+    framebuffer::<Rgb565>(124);
+    framebuffer::<Be<Rgb555>>(125);
+}
+
+#[test]
+fn framebuffers_of_words() {
+    framebuffer::<Be<Rgb888>>(126);
+    framebuffer::<Xrgb8888>(127);
+}
+
+#[test]
+fn bands() {
+    let mut rng = Rng::new(128);
+    let mut memory = vec![0; 65_535 * 3];
+    for _ in 0..400 {
+        let (width, height, start) = (wild_u16(&mut rng), wild_u16(&mut rng), wild_u16(&mut rng));
+        let rows = start..start.saturating_add(rng.below(4) as u16);
+        let Ok(mut band) = Framebuffer::<Gray8>::band(&mut memory, width, height, rows) else { continue };
+        shapes(&mut band, &mut rng, Gray8::new(3));
+        reads(&band, &mut rng);
+        let mut view = band.view(wild_rect(&mut rng));
+        shapes(&mut view, &mut rng, Gray8::new(4));
+    }
+}
+
+#[test]
+fn pages() {
+    let mut rng = Rng::new(129);
+    for _ in 0..10_000 {
+        let (width, height) = (rng.below(20) as u16, rng.below(33) as u16);
+        let mut memory = vec![0; paged_bytes(width, height) + rng.index(5)];
+        let mut oled = Paged::<BinaryColor>::new(&mut memory, width, height).expect("it is large enough");
+        let mut oled = oled.clipped(wild_rect(&mut rng));
+        shapes(&mut oled, &mut rng, BinaryColor::On);
+        embedded_graphics(&mut oled, &mut rng, BinaryColor::On);
+        oled.set(wild_point(&mut rng), BinaryColor::On);
+        oled.clear(BinaryColor::Off);
+        black_box((
+            oled.size(),
+            oled.get(wild_point(&mut rng)),
+            oled.page_bytes(wild_u16(&mut rng)..wild_u16(&mut rng)),
+        ));
+        if let Some(span) =
+            (Span { y: wild(&mut rng), x0: wild(&mut rng), x1: wild(&mut rng) }).clip(wild_rect(&mut rng))
+        {
+            oled.fill_span(span, BinaryColor::On);
+        }
+        let length = rng.index(memory.len() + 1);
+        black_box(Paged::<Index1>::new(&mut memory[..length], wild_u16(&mut rng), wild_u16(&mut rng)).is_ok());
+    }
+}
+
+#[test]
+fn counters() {
+    let mut rng = Rng::new(130);
+    for _ in 0..20_000 {
+        let mut counter = Counter::<Rgb565>::new(small_window(&mut rng));
+        shapes(&mut counter, &mut rng, Rgb565::RED);
+        black_box((counter.pixels, counter.spans));
+    }
+    // One row as long as rows get.
+    let mut counter = Counter::<Rgb565>::new(Rect::new(i32::MIN, 5, i32::MAX, 6));
+    counter.fill_window(Rgb565::RED);
+    counter.draw_line(Point::new(i32::MIN, 5), Point::new(i32::MIN + 1000, 5), Rgb565::RED);
+    assert_eq!(counter.pixels, u64::from(u32::MAX) + 1001);
+}
+
+#[test]
+fn palettes_and_colours() {
+    let mut rng = Rng::new(131);
+    for _ in 0..20_000 {
+        let mut palette = Palette::new([(); 16].map(|()| color::<Rgb888>(&mut rng)));
+        palette.rotate(wild_size(&mut rng)..wild_size(&mut rng), wild_size(&mut rng));
+        black_box((palette.get(rng.bits() as u8), palette.set(rng.bits() as u8, Rgb888::RED)));
+        black_box(palette.nearest(color::<Rgb888>(&mut rng)));
+        let (indices, mut out) = (vec![rng.bits() as u8; rng.index(20)], vec![0; rng.index(90)]);
+        palette.expand::<Index1, Rgb888>(&indices, &mut out);
+        palette.expand::<Lsb0<Index2>, Be<Rgb888>>(&indices, &mut out);
+        palette.expand::<Index4, Rgb888>(&indices, &mut out);
+        palette.expand::<Index8, Rgb888>(&indices, &mut out);
+        palette.map(Rgb565::from).expand::<Index8, Rgb565>(&indices, &mut out);
+        palette.map(Rgb332::from).expand::<Gray8, Rgb332>(&indices, &mut out);
+        palette.map(Xrgb8888::from).expand::<Index4, Xrgb8888>(&indices, &mut out);
+    }
+}
