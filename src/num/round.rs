@@ -67,24 +67,12 @@ pub(crate) fn ceil_ratio(a: u32, m: u32, h: u32, b: NonZeroU32) -> u32 {
 /// a hint for speed: it chooses between ways to the same pixels.
 pub(crate) const DIVIDES: bool = cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
 
-/// `ceil(2^32 n / d)` for `n < d`; `2^32` itself when n / d is that close to 1. Two or three 32-bit divisions for
-/// `d < 2^22`.
+/// `ceil(2^32 n / d)` for `n < d < 2^16`, in two 32-bit divisions.
 #[inline]
-pub(crate) fn fraction(n: u32, d: NonZeroU32) -> u64 {
-    let digit = |n: u32, bits: u32| ((n << bits) / d, (n << bits) % d);
-    let (floor, rest) = if d.get() < 1 << 16 {
-        let (high, rest) = digit(n, 16);
-        let (low, rest) = digit(rest, 16);
-        (high << 16 | low, rest)
-    } else if d.get() < 1 << 21 {
-        let (high, rest) = digit(n, 11);
-        let (middle, rest) = digit(rest, 11);
-        let (low, rest) = digit(rest, 10);
-        (high << 21 | middle << 10 | low, rest)
-    } else {
-        div_rem_wide(u64::from(n) << 32, d)
-    };
-    u64::from(floor).wrapping_add(u64::from(rest != 0))
+pub(crate) fn fraction(n: u32, d: NonZeroU32) -> u32 {
+    let (high, rest) = ((n << 16) / d, (n << 16) % d);
+    let (low, rest) = ((rest << 16) / d, (rest << 16) % d);
+    (high << 16 | low).wrapping_add(u32::from(rest != 0))
 }
 
 /// `n >> 8` after adding one half pixel, without overflow: the first pixel whose centre lies *right of* `n` 24.8 units.
@@ -161,10 +149,10 @@ mod tests {
 
     #[test]
     fn fractions_are_rounded_up() {
-        for d in [1_u32, 2, 3, 7, 255, 256, 997, 32_768, 65_535, 65_536, 999_983, 2_097_151, 2_097_152, u32::MAX] {
+        for d in [1_u32, 2, 3, 7, 255, 256, 997, 32_768, 65_535] {
             for n in (0..d).step_by(d as usize / 50 + 1).chain([d - 1]) {
                 let wanted = (u64::from(n) << 32).div_ceil(u64::from(d));
-                assert_eq!(fraction(n, NonZeroU32::new(d).unwrap()), wanted, "{n} / {d}");
+                assert_eq!(u64::from(fraction(n, NonZeroU32::new(d).unwrap())), wanted, "{n} / {d}");
             }
         }
     }

@@ -8,11 +8,6 @@
 
 use core::num::NonZeroU32;
 
-use super::{
-    cast::{low_u32, signed, unsigned},
-    round::fraction,
-};
-
 /// A running `floor(n / d)`.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Stepper {
@@ -29,7 +24,10 @@ pub(crate) struct Stepper {
 
 impl Stepper {
     /// A stepper that stands still.
-    pub(crate) const ZERO: Self = Self { value: 0, slope: 0, rest: 0, rest_step: 0, d: 0 };
+    #[inline(always)]
+    pub(crate) const fn still(value: i32) -> Self {
+        Self { value, slope: 0, rest: 0, rest_step: 0, d: 0 }
+    }
 
     /// Starts at `value` with remainder `rest`; each step adds `slope` and `rest_step / d`.
     #[inline(always)]
@@ -46,80 +44,6 @@ impl Stepper {
     }
 }
 
-/// A running `floor(n / d)` in one 64-bit number: quotient above, fraction below, so that a step is one addition.
-///
-/// Both fractions are rounded up to multiples of 2^-32: after k steps the sum is too large by less than (k + 1) 2^-32. The
-/// true value is a multiple of 1/d, so its floor is right as long as `(k + 1) d <= 2^32`: for [`Glide::steps`] steps.
-///
-/// Set-up divides four times more than that of a [`Stepper`]: worth it where the chip divides.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Glide {
-    at: u64,
-    by: u64,
-}
-
-/// What the sides of a triangle walk by.
-pub(crate) trait Walk: Copy {
-    /// Starts at a quotient and remainder; each step adds a quotient and remainder.
-    fn new(d: NonZeroU32, start: (i32, u32), step: (i32, u32)) -> Self;
-    /// The quotient.
-    fn value(self) -> i32;
-    /// One step on.
-    fn step(&mut self);
-    /// Steps from set-up that are exact, at least 1.
-    fn steps(d: NonZeroU32) -> i32;
-}
-
-impl Walk for Stepper {
-    #[inline(always)]
-    fn new(d: NonZeroU32, start: (i32, u32), step: (i32, u32)) -> Self {
-        Self::new(d, start, step)
-    }
-
-    #[inline(always)]
-    fn value(self) -> i32 {
-        self.value
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        self.step();
-    }
-
-    #[inline(always)]
-    fn steps(_: NonZeroU32) -> i32 {
-        i32::MAX
-    }
-}
-
-impl Walk for Glide {
-    #[inline(always)]
-    fn new(d: NonZeroU32, start: (i32, u32), step: (i32, u32)) -> Self {
-        // A fraction rounded up to 1 carries: the sum is what is meant.
-        let number = |(whole, rest): (i32, u32)| (u64::from(unsigned(whole)) << 32).wrapping_add(fraction(rest, d));
-        Self { at: number(start), by: if step == (0, 0) { 0 } else { number(step) } }
-    }
-
-    #[inline(always)]
-    fn value(self) -> i32 {
-        signed(low_u32(self.at >> 32))
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        self.at = self.at.wrapping_add(self.by);
-    }
-
-    #[inline(always)]
-    fn steps(d: NonZeroU32) -> i32 {
-        if d.get() < 1 << 19 {
-            8191
-        } else {
-            signed(u32::MAX / d).wrapping_sub(1).max(1)
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,15 +56,10 @@ mod tests {
                 let split = |n: i64| (n.div_euclid(wide) as i32, n.rem_euclid(wide) as u32);
                 let d = NonZeroU32::new(d).unwrap();
                 let mut stepper = Stepper::new(d, split(n), split(step));
-                let mut glide: Glide = Walk::new(d, split(n), split(step));
-                for k in 0..10_000 {
+                for k in 0..1_000 {
                     let wanted = (n + k * step).div_euclid(wide);
                     assert_eq!(i64::from(stepper.value), wanted, "({n} + {k} * {step}) / {d}");
-                    if k < i64::from(Glide::steps(d)) {
-                        assert_eq!(i64::from(glide.value()), wanted, "({n} + {k} * {step}) / {d}, by fractions");
-                    }
                     stepper.step();
-                    glide.step();
                 }
             }
         }

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     num::{
-        cast::{low_u16, low_u32, low_u8},
+        cast::{low_u16, low_u8},
         round::{fraction, DIVIDES},
     },
     span::Steps,
@@ -85,8 +85,7 @@ fn steep<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, ste
     let length =
         NonZeroU32::new(major).filter(|_| DIVIDES && len > 16 && major < 1 << 16 && minor != 0 && minor != major);
     if let Some(major) = length {
-        let fraction = |n| low_u32(fraction(n, major));
-        let (part, step) = (fraction(rest.wrapping_add(major.get())), fraction(minor));
+        let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));
         if right {
             glide(pixels, first, pitch, part, step, pixel);
         } else {

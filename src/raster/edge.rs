@@ -23,7 +23,7 @@ use crate::{
     num::{
         cast::{signed, signed_wide, unsigned},
         round::{difference, first_centre_after, first_centre_from, floor_div_rem, floor_div_rem_wide},
-        stepper::{Stepper, Walk},
+        stepper::Stepper,
     },
 };
 
@@ -46,7 +46,7 @@ impl Edge {
     /// use embedded_raster::raster::Edge;
     /// static mut TABLE: [Edge; 64] = [Edge::EMPTY; 64];
     /// ```
-    pub const EMPTY: Self = Self { crossing: Stepper::ZERO, y: 0, end: 0, winding: 0 };
+    pub const EMPTY: Self = Self { crossing: Stepper::still(0), y: 0, end: 0, winding: 0 };
 
     /// The rows of `top..bottom` that the side from `a` to `b` crosses.
     #[inline(always)]
@@ -62,11 +62,11 @@ impl Edge {
         let (upper, lower, winding) = if a.1 <= b.1 { (a, b, 1) } else { (b, a, -1) };
         let Some(slope) = Slope::new(upper, lower) else { return Self::EMPTY };
         let skip = y.wrapping_sub(first_centre_from(upper.1));
-        Self { crossing: slope.crossing(skip, end.wrapping_sub(y)), y, end, winding }
+        Self { crossing: slope.stepper(skip, end.wrapping_sub(y)), y, end, winding }
     }
 }
 
-/// A side from its upper to its lower end.
+/// A side from its upper to its lower end, not horizontal.
 #[derive(Copy, Clone)]
 pub(crate) struct Slope {
     upper: (i32, i32),
@@ -82,13 +82,33 @@ impl Slope {
         Some(Self { upper, lower, dy })
     }
 
-    /// A walk over its crossings that starts `skip` rows below the first row it crosses, good for `rows` rows.
+    /// Its crossings from `skip` rows below the first row it crosses, for `rows` rows; any size.
     #[inline(always)]
-    pub(crate) fn crossing<W: Walk>(self, skip: i32, rows: i32) -> W {
+    pub(crate) fn stepper(self, skip: i32, rows: i32) -> Stepper {
         let width = self.lower.0.abs_diff(self.upper.0);
-        let (start, step) =
-            if (width | self.dy.get()) < 1 << 16 { self.small(skip, rows) } else { self.large(skip, rows) };
-        W::new(self.dy, start, step)
+        if (width | self.dy.get()) < 1 << 16 {
+            self.small(skip, rows)
+        } else {
+            self.large(skip, rows)
+        }
+    }
+
+    /// The same by a division a row, for sides below 2^19 units (2,048 pixels) in width and height.
+    #[inline(always)]
+    pub(crate) fn quotients(self, skip: i32) -> Quotients {
+        let (p, m, dx) = self.numerator(skip);
+        // |m| is below 2^11 dy: with 2^12 dy it is a positive number below 2^32.
+        let n = unsigned(m).wrapping_add(self.dy.get() << 12);
+        Quotients { n, dx, dy: self.dy, p: p.wrapping_sub(1 << 12) }
+    }
+
+    /// (p, M, dx) for sides below 2^19 units.
+    #[inline(always)]
+    fn numerator(self, skip: i32) -> (i32, i32, i32) {
+        let (p, f, g) = self.start();
+        let dx = self.lower.0.wrapping_sub(self.upper.0);
+        let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(signed(g).wrapping_mul(dx));
+        (p, (n.wrapping_sub(1) >> 8).wrapping_add(skip.wrapping_mul(dx)), dx)
     }
 
     /// (p, f, g): the pixel and fraction of the upper end, and the distance down to the first centre below it.
@@ -98,28 +118,96 @@ impl Slope {
         (first_centre_after(ax), unsigned(ax.wrapping_add(128)) & 255, 128_u32.wrapping_sub(unsigned(ay)) & 255)
     }
 
-    /// Quotient and remainder of the first crossing, and of what a row adds to it.
     #[inline(always)]
-    fn small(self, skip: i32, rows: i32) -> ((i32, u32), (i32, u32)) {
-        let (p, f, g) = self.start();
-        let dx = self.lower.0.wrapping_sub(self.upper.0);
-        let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(signed(g).wrapping_mul(dx));
-        let m = (n.wrapping_sub(1) >> 8).wrapping_add(skip.wrapping_mul(dx));
+    fn small(self, skip: i32, rows: i32) -> Stepper {
+        let (p, m, dx) = self.numerator(skip);
         let (k, rest) = floor_div_rem(m, self.dy);
-        let step = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
-        ((p.wrapping_add(k), rest), step)
+        let slope = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
+        Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
     }
 
     #[cold]
     #[inline(never)]
-    fn large(self, skip: i32, rows: i32) -> ((i32, u32), (i32, u32)) {
+    fn large(self, skip: i32, rows: i32) -> Stepper {
         let (p, f, g) = self.start();
         let dx = difference(self.lower.0, self.upper.0);
         let n = signed_wide(u64::from(f) * u64::from(self.dy.get())).wrapping_add(dx.wrapping_mul(i64::from(g)));
         let m = (n.wrapping_sub(1) >> 8).wrapping_add(dx.wrapping_mul(i64::from(skip)));
         let (k, rest) = floor_div_rem_wide(m, self.dy);
-        // A second row is a pixel lower: dy > 256, and the slope fits 32 bits with room to spare.
-        let step = if rows > 1 { floor_div_rem_wide(dx, self.dy) } else { (0, 0) };
-        ((p.wrapping_add(k), rest), step)
+        // A second row is a pixel lower: then dy > 256, and the slope fits 32 bits with room to spare.
+        let slope = if rows > 1 && self.dy.get() > 256 { floor_div_rem_wide(dx, self.dy) } else { (0, 0) };
+        Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
+    }
+}
+
+/// A way down the crossings of a side.
+pub(crate) trait Crossings: Copy {
+    /// Whether it is right for sides of any size, or only below 2^19 units in width and height.
+    const ANY_SIZE: bool;
+    /// The same pixel on every row.
+    fn constant(x: i32) -> Self;
+    /// From `skip` rows below the first row that the side crosses, for `rows` rows.
+    fn new(side: Slope, skip: i32, rows: i32) -> Self;
+    /// The first pixel right of the side on this row.
+    fn x(self) -> i32;
+    /// To the next row.
+    fn step(&mut self);
+}
+
+impl Crossings for Stepper {
+    const ANY_SIZE: bool = true;
+
+    #[inline(always)]
+    fn constant(x: i32) -> Self {
+        Self::still(x)
+    }
+
+    #[inline(always)]
+    fn new(side: Slope, skip: i32, rows: i32) -> Self {
+        side.stepper(skip, rows)
+    }
+
+    #[inline(always)]
+    fn x(self) -> i32 {
+        self.value
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        self.step();
+    }
+}
+
+/// Crossings as quotients: no set-up, half the state of a [`Stepper`], one division a row. The best way wherever a chip
+/// divides in a few cycles and sides are too short to earn a set-up back.
+#[derive(Copy, Clone)]
+pub(crate) struct Quotients {
+    n: u32,
+    dx: i32,
+    dy: NonZeroU32,
+    p: i32,
+}
+
+impl Crossings for Quotients {
+    const ANY_SIZE: bool = false;
+
+    #[inline(always)]
+    fn constant(x: i32) -> Self {
+        Self { n: 0, dx: 0, dy: NonZeroU32::MIN, p: x }
+    }
+
+    #[inline(always)]
+    fn new(side: Slope, skip: i32, _: i32) -> Self {
+        side.quotients(skip)
+    }
+
+    #[inline(always)]
+    fn x(self) -> i32 {
+        self.p.wrapping_add(signed(self.n / self.dy))
+    }
+
+    #[inline(always)]
+    fn step(&mut self) {
+        self.n = self.n.wrapping_add(unsigned(self.dx));
     }
 }

@@ -22,13 +22,13 @@ use core::{
     ops::{Add, AddAssign, BitOr},
 };
 
-use super::edge::Slope;
+use super::edge::{Crossings, Quotients, Slope};
 use crate::{
     geom::{bits, Vertex},
     num::{
-        cast::{narrow, signed},
+        cast::narrow,
         round::{compare_products, difference, first_centre_from, DIVIDES},
-        stepper::{Glide, Stepper, Walk},
+        stepper::Stepper,
     },
     rect::Rect,
     span::{ClippedSpan, Span},
@@ -50,15 +50,18 @@ use crate::{
 #[inline]
 pub fn fill(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
     if DIVIDES {
-        fill_by::<Glide>(corners, window, emit);
+        fill_by::<Quotients>(corners, window, emit);
     } else {
         fill_by::<Stepper>(corners, window, emit);
     }
 }
 
+/// Fills in blocks of rows: the two halves above and below the middle corner, or single rows of triangles too large for C.
+///
+/// All of them go through one loop, so that there is one call of `emit` to be inlined.
 #[inline(always)]
-fn fill_by<W: Walk>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    let [a, b, c] = sorted(corners.map(bits));
+fn fill_by<C: Crossings>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(ClippedSpan)) {
+    let corners @ [a, b, c] = sorted(corners.map(bits));
     let (top, middle, bottom) = (first_centre_from(a.1), first_centre_from(b.1), first_centre_from(c.1));
     let (y0, y1) = (top.max(window.y0), bottom.min(window.y1));
     if y0 >= y1 || window.x0 >= window.x1 {
@@ -66,44 +69,74 @@ fn fill_by<W: Walk>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(Cli
     }
     let turn = middle.max(y0).min(y1);
     let Some(long) = Slope::new(a, c) else { return };
-    let exact = W::steps(long.dy);
-    let mut long_side: W = long.crossing(y0.wrapping_sub(top), y1.wrapping_sub(y0));
-    let b_is_left = is_left(a, b, c);
-    // One loop for both halves, so that there is one call of `emit` to be inlined.
-    for (upper, lower, first, start, end) in [(a, b, top, y0, turn), (b, c, middle, turn, y1)] {
-        let Some(short) = Slope::new(upper, lower) else { continue };
-        let mut start = start;
-        while start < end {
-            let (rows, stop) = (end.wrapping_sub(start), start.saturating_add(exact).min(end));
-            let short_side: W = short.crossing(start.wrapping_sub(first), rows);
-            if exact < y1.wrapping_sub(y0) {
-                long_side = long.crossing(start.wrapping_sub(top), y1.wrapping_sub(start));
+    let small = is_small(corners);
+    let b_is_left = if small { is_left_small(corners) } else { is_left(corners) };
+    let whole = small || C::ANY_SIZE;
+    let mut long_side = if whole { C::new(long, y0.wrapping_sub(top), y1.wrapping_sub(y0)) } else { C::constant(0) };
+    let mut steppers = None;
+
+    let mut y = y0;
+    while y < y1 {
+        let (upper, lower, first, end) = if y < turn { (a, b, top, turn) } else { (b, c, middle, y1) };
+        let Some(short) = Slope::new(upper, lower) else { return };
+        let skip = y.wrapping_sub(first);
+        let (short_side, end) = if whole {
+            (C::new(short, skip, end.wrapping_sub(y)), end)
+        } else {
+            // Both sides start anew where the short one does.
+            let slopes = (y == y0 || y == turn).then_some([(long, y.wrapping_sub(top)), (short, skip)]);
+            let [x, short_x] = one_row(&mut steppers, slopes);
+            long_side = C::constant(x);
+            (C::constant(short_x), y.wrapping_add(1))
+        };
+        let (mut left, mut right) = if b_is_left { (short_side, long_side) } else { (long_side, short_side) };
+        while y < end {
+            if let Some(span) = (Span { y, x0: left.x(), x1: right.x() }).clip_columns(window) {
+                emit(span);
             }
-            let (mut left, mut right) = if b_is_left { (short_side, long_side) } else { (long_side, short_side) };
-            for y in start..stop {
-                if let Some(span) = (Span { y, x0: left.value(), x1: right.value() }).clip_columns(window) {
-                    emit(span);
-                }
-                left.step();
-                right.step();
-            }
-            long_side = if b_is_left { right } else { left };
-            start = stop;
+            left.step();
+            right.step();
+            y = y.wrapping_add(1);
         }
+        long_side = if b_is_left { right } else { left };
     }
 }
 
-/// Whether b lies left of the line from a down to c.
-#[inline(always)]
-fn is_left(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> bool {
-    let (dx, dy) = (c.0.abs_diff(a.0), c.1.abs_diff(a.1));
-    if (dx | dy | b.0.abs_diff(a.0)) < 1 << 15 {
-        // dy of the short side is not above that of the long one.
-        let (bx, by) = (b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1));
-        return bx.wrapping_mul(signed(dy)) < by.wrapping_mul(c.0.wrapping_sub(a.0));
+/// The crossings of the long and the short side of a large triangle on one row; goes on to the next. `start`: the sides and
+/// how many rows of each to skip, on the first row of a half.
+#[cold]
+#[inline(never)]
+fn one_row(steppers: &mut Option<[Stepper; 2]>, start: Option<[(Slope, i32); 2]>) -> [i32; 2] {
+    if let Some(start) = start {
+        *steppers = Some(start.map(|(side, skip)| side.stepper(skip, i32::MAX)));
     }
-    let left = (difference(b.0, a.0), i64::from(dy));
-    compare_products(left, (difference(b.1, a.1), difference(c.0, a.0))) == Ordering::Less
+    let Some(sides) = steppers else { return [0; 2] };
+    let crossings = sides.each_ref().map(|side| side.value);
+    sides.iter_mut().for_each(Stepper::step);
+    crossings
+}
+
+/// Whether all sides are below 2^19 units in width and height, for corners sorted by y.
+#[inline(always)]
+fn is_small([a, b, c]: [(i32, i32); 3]) -> bool {
+    let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
+    right.abs_diff(left) | c.1.abs_diff(a.1) < 1 << 19
+}
+
+/// Whether b lies left of the line from a down to c.
+#[cold]
+#[inline(never)]
+fn is_left([a, b, c]: [(i32, i32); 3]) -> bool {
+    let (ab, ac) = ((difference(b.0, a.0), difference(b.1, a.1)), (difference(c.0, a.0), difference(c.1, a.1)));
+    compare_products((ab.0, ac.1), (ab.1, ac.0)) == Ordering::Less
+}
+
+/// The same for differences below 2^31.
+#[inline(always)]
+fn is_left_small([a, b, c]: [(i32, i32); 3]) -> bool {
+    let product = |m: i32, n: i32| i64::from(m).wrapping_mul(i64::from(n));
+    let (ab, ac) = ((b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1)), (c.0.wrapping_sub(a.0), c.1.wrapping_sub(a.1)));
+    product(ab.0, ac.1) < product(ab.1, ac.0)
 }
 
 /// By y, with three compare-exchanges.
@@ -222,13 +255,13 @@ mod tests {
     use std::{vec, vec::Vec};
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
-        let corners = corners.map(|(x, y)| Vertex::from_bits(x, y));
+        let vertices = corners.map(|(x, y)| Vertex::from_bits(x, y));
         let mut spans = [vec![], vec![], vec![]];
-        fill_by::<Stepper>(corners, window, |s| spans[0].push((s.y(), s.x0(), s.x1())));
-        walk(corners, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));
-        fill_by::<Glide>(corners, window, |s| spans[2].push((s.y(), s.x0(), s.x1())));
-        let [solved, walked, glided] = spans;
-        assert_eq!(solved, glided, "the two ways to step along {corners:?}");
+        fill_by::<Quotients>(vertices, window, |s| spans[0].push((s.y(), s.x0(), s.x1())));
+        walk(vertices, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));
+        fill_by::<Stepper>(vertices, window, |s| spans[2].push((s.y(), s.x0(), s.x1())));
+        let [solved, walked, stepped] = spans;
+        assert_eq!(solved, stepped, "the two ways to step along {corners:?}");
         [solved, walked]
     }
 
