@@ -146,6 +146,9 @@ pub(crate) fn fill_rows<F: PixelFormat>(
     (x0, x1): (usize, usize),
     bits: u32,
 ) {
+    if rows == 1 {
+        return fill::<F>(memory, first_row, x0, x1, bits);
+    }
     if F::BITS < 8 {
         for y in 0..rows {
             packed::fill::<F>(memory, first_row.wrapping_add(y.wrapping_mul(stride)), x0, x1, bits);

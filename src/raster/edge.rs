@@ -78,7 +78,8 @@ impl Slope {
     /// `None` if it is horizontal.
     #[inline(always)]
     pub(crate) fn new(upper: (i32, i32), lower: (i32, i32)) -> Option<Self> {
-        let dy = NonZeroU32::new(lower.1.abs_diff(upper.1))?;
+        // Not negative, so its 32 bits are the distance even beyond i32::MAX.
+        let dy = NonZeroU32::new(unsigned(lower.1.wrapping_sub(upper.1)))?;
         Some(Self { upper, lower, dy })
     }
 

@@ -26,7 +26,7 @@ use super::edge::{Crossings, Quotients, Slope};
 use crate::{
     geom::{bits, Vertex},
     num::{
-        cast::narrow,
+        cast::{narrow, unsigned},
         round::{compare_products, difference, first_centre_from, DIVIDES},
         stepper::Stepper,
     },
@@ -83,9 +83,7 @@ fn fill_by<C: Crossings>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMu
         let (short_side, end) = if whole {
             (C::new(short, skip, end.wrapping_sub(y)), end)
         } else {
-            // Both sides start anew where the short one does.
-            let slopes = (y == y0 || y == turn).then_some([(long, y.wrapping_sub(top)), (short, skip)]);
-            let [x, short_x] = one_row(&mut steppers, slopes);
+            let [x, short_x] = one_row(&mut steppers, corners, y);
             long_side = C::constant(x);
             (C::constant(short_x), y.wrapping_add(1))
         };
@@ -102,15 +100,21 @@ fn fill_by<C: Crossings>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMu
     }
 }
 
-/// The crossings of the long and the short side of a large triangle on one row; goes on to the next. `start`: the sides and
-/// how many rows of each to skip, on the first row of a half.
+/// The crossings of the long and the short side of a large triangle on row y; goes on to the next.
 #[cold]
 #[inline(never)]
-fn one_row(steppers: &mut Option<[Stepper; 2]>, start: Option<[(Slope, i32); 2]>) -> [i32; 2] {
-    if let Some(start) = start {
-        *steppers = Some(start.map(|(side, skip)| side.stepper(skip, i32::MAX)));
-    }
-    let Some(sides) = steppers else { return [0; 2] };
+fn one_row(steppers: &mut Option<[Stepper; 2]>, [a, b, c]: [(i32, i32); 3], y: i32) -> [i32; 2] {
+    let middle = first_centre_from(b.1);
+    let short = if y < middle { (a, b) } else { (b, c) };
+    let start = |(upper, lower): ((i32, i32), (i32, i32))| match Slope::new(upper, lower) {
+        Some(side) => side.stepper(y.wrapping_sub(first_centre_from(upper.1)), i32::MAX),
+        None => Stepper::still(0),
+    };
+    // Both start anew where the short side does.
+    let sides = match steppers {
+        Some(sides) if y != middle => sides,
+        _ => steppers.insert([start((a, c)), start(short)]),
+    };
     let crossings = sides.each_ref().map(|side| side.value);
     sides.iter_mut().for_each(Stepper::step);
     crossings
@@ -120,7 +124,7 @@ fn one_row(steppers: &mut Option<[Stepper; 2]>, start: Option<[(Slope, i32); 2]>
 #[inline(always)]
 fn is_small([a, b, c]: [(i32, i32); 3]) -> bool {
     let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
-    right.abs_diff(left) | c.1.abs_diff(a.1) < 1 << 19
+    unsigned(right.wrapping_sub(left) | c.1.wrapping_sub(a.1)) < 1 << 19
 }
 
 /// Whether b lies left of the line from a down to c.

@@ -10,7 +10,7 @@ use crate::{
     num::cast::index,
     pixel::{self, row_bytes, PixelFormat},
     rect::Rect,
-    span::{ClippedSpan, Span, Steps},
+    span::{ClippedSpan, Steps},
 };
 
 /// Rows of pixels in memory that the caller owns: a whole screen, a band of one, or a view of a part.
@@ -252,9 +252,11 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
     #[inline]
     fn fill_area(&mut self, area: Rect, color: F::Color) {
         let area = area.intersection(self.window);
-        let Some(first) = (Span { y: area.y0, x0: area.x0, x1: area.x1 }).clip(area) else { return };
+        if area.is_empty() {
+            return;
+        }
+        let columns = (self.x(area.x0), self.x(area.x1));
         let row = self.row_start(area.y0);
-        let columns = (self.x(first.x0()), self.x(first.x1()));
         pixel::fill_rows::<F>(self.memory, self.stride, (row, area.height() as usize), columns, F::pack(color));
     }
 

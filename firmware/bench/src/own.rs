@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
-use embedded_graphics::prelude::*;
 use embedded_raster::pixel::row_bytes;
 use embedded_raster::{Bitmap, Canvas, Edge, FillRule, Framebuffer, Index8, Palette, PixelFormat, Surface, Vertex};
 
