@@ -4,12 +4,19 @@ use std::process::ExitCode;
 
 use anyhow::{bail, Result};
 use pico_args::Arguments;
-use runner::table::{self, Cell};
-use runner::toolchain::Toolchain;
-use runner::{run, size, Chip, Opt, Program};
+use xtask::table::{self, Cell};
+use xtask::toolchain::Toolchain;
+use xtask::{checks, run, size, Chip, Opt, Program};
 
 const HELP: &str = "\
-Runs the firmware on emulated chips. Counts are instructions, not cycles.
+Checks:
+
+    cross [--target CHIP]...
+        build the crate for the chips
+    probe
+        prove by the linker that no drawing call can panic: opt-level 3 and s, overflow checks on and off
+
+The firmware on emulated chips. Counts are instructions, not cycles.
 
     run <bin> [--package bench] [--target CHIP]... [--opt 3|s]
         build a program, run it and print what it prints
@@ -40,6 +47,11 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("run") => run_program(args),
         Some("table") => print_tables(args),
         Some("size") => print_sizes(args),
+        Some("cross") => cross(args),
+        Some("probe") => {
+            finish(args)?;
+            checks::probe()
+        }
         Some(other) => bail!("no command `{other}`\n\n{HELP}"),
         None => bail!("which command?\n\n{HELP}"),
     }
@@ -78,6 +90,16 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
     finish(args)?;
     for chip in chips {
         println!("{}: bytes\n\n{}", heading(chip, opt)?, size::markdown(chip, opt)?);
+    }
+    Ok(())
+}
+
+fn cross(mut args: Arguments) -> Result<()> {
+    let chips = chips(&mut args)?;
+    finish(args)?;
+    for chip in chips {
+        checks::cross(chip)?;
+        println!("builds for {chip}");
     }
     Ok(())
 }

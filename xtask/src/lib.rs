@@ -1,4 +1,5 @@
-//! Builds the firmware, runs it on emulated chips and makes tables of what it prints.
+//! The commands that people and CI both run. Most of it builds the firmware, runs it on emulated chips and makes tables of
+//! what it prints; [`checks`] are the rest.
 //!
 //! ```text
 //!  toolchain   one that has the target, or one that can build `core`
@@ -8,6 +9,7 @@
 //!  emulator                      QEMU ---> output ---> table: instructions per pixel
 //! ```
 
+pub mod checks;
 pub mod chip;
 pub mod emulator;
 pub mod firmware;

@@ -58,7 +58,12 @@ pub struct Program<'a> {
 }
 
 /// The folder of the firmware's workspace.
-pub fn root() -> &'static Path {
+pub fn root() -> PathBuf {
+    project().join("firmware")
+}
+
+/// The folder of the project.
+pub fn project() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
 }
 
