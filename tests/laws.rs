@@ -11,6 +11,8 @@
 
 mod support;
 
+use std::marker::PhantomData;
+
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Point, Size},
@@ -19,127 +21,105 @@ use embedded_graphics_core::{
         Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
     },
     primitives::Rectangle,
-    Pixel,
 };
 use embedded_raster::{
-    buffer_bytes,
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
     surface::{paged_bytes, Counter, Paged},
-    Bitmap, Canvas, Edge, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span,
-    Surface,
+    Error, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
 use support::{
-    corners,
-    memory::{color, Naive},
+    frame::{Kind, Of, Shape},
+    memory::{color, pixels, Format, Naive},
     rng::Rng,
-    scenes::{ends_of_line, outline, Scale},
-    twins, vertices, Units,
 };
 
-/// Every law of storage for every format; those of drawing for one format of each way to store pixels (marked `shapes`),
-/// as shapes see nothing else of a format.
+/// Every law for every format.
 macro_rules! formats {
-    ($($name:ident: $format:ty $(, $shapes:ident)?;)*) => {$(
-        mod $name {
-            use super::*;
-
-            #[test]
-            fn spans() {
-                every_run_is_its_pixels::<$format>();
-                long_runs_are_their_pixels::<$format>();
-                what_is_set_is_got::<$format>();
-                areas_are_their_pixels::<$format>();
-                constructors_check::<$format>();
-            }
-
-            #[test]
-            fn rows_read_out() {
-                rows_read_out_are_their_pixels::<$format>();
-            }
-
-            #[test]
-            fn blits() {
-                blits_are_their_pixels::<$format>();
-            }
-
-            #[test]
-            fn moves() {
-                moves_are_their_pixels::<$format>();
-            }
-
-            $(
-                #[test]
-                fn $shapes() {
-                    views_and_clips_are_windows::<$format>();
-                    bands_are_the_whole::<$format>();
-                    shapes_are_their_pixels::<$format>();
-                    embedded_graphics_draws_pixels::<$format>();
-                }
-            )?
+    ($($name:ident: $format:ty,)*) => {$(
+        #[test]
+        fn $name() {
+            every_law(&Of::<$format>(PhantomData));
         }
     )*};
 }
 
 formats! {
-    index1: Index1, shapes;
-    index1_lsb0: Lsb0<Index1>, shapes;
-    binary: BinaryColor;
-    binary_lsb0: Lsb0<BinaryColor>;
-    index2: Index2, shapes;
-    index2_lsb0: Lsb0<Index2>, shapes;
-    gray2: Gray2;
-    gray2_lsb0: Lsb0<Gray2>;
-    index4: Index4, shapes;
-    index4_lsb0: Lsb0<Index4>, shapes;
-    gray4: Gray4;
-    gray4_lsb0: Lsb0<Gray4>;
-    index8: Index8, shapes;
-    gray8: Gray8;
-    rgb332: Rgb332;
-    rgb555: Rgb555;
-    bgr555: Bgr555;
-    rgb565: Rgb565, shapes;
-    bgr565: Bgr565;
-    rgb555_be: Be<Rgb555>;
-    bgr555_be: Be<Bgr555>;
-    rgb565_be: Be<Rgb565>, shapes;
-    bgr565_be: Be<Bgr565>;
-    rgb666: Rgb666;
-    bgr666: Bgr666;
-    rgb888: Rgb888, shapes;
-    bgr888: Bgr888;
-    rgb666_be: Be<Rgb666>;
-    bgr666_be: Be<Bgr666>;
-    rgb888_be: Be<Rgb888>;
-    bgr888_be: Be<Bgr888>;
-    xrgb8888: Xrgb8888, shapes;
-    xrgb8888_be: Be<Xrgb8888>;
+    index1: Index1,
+    index1_lsb0: Lsb0<Index1>,
+    binary: BinaryColor,
+    binary_lsb0: Lsb0<BinaryColor>,
+    index2: Index2,
+    index2_lsb0: Lsb0<Index2>,
+    gray2: Gray2,
+    gray2_lsb0: Lsb0<Gray2>,
+    index4: Index4,
+    index4_lsb0: Lsb0<Index4>,
+    gray4: Gray4,
+    gray4_lsb0: Lsb0<Gray4>,
+    index8: Index8,
+    gray8: Gray8,
+    rgb332: Rgb332,
+    rgb555: Rgb555,
+    bgr555: Bgr555,
+    rgb565: Rgb565,
+    bgr565: Bgr565,
+    rgb555_be: Be<Rgb555>,
+    bgr555_be: Be<Bgr555>,
+    rgb565_be: Be<Rgb565>,
+    bgr565_be: Be<Bgr565>,
+    rgb666: Rgb666,
+    bgr666: Bgr666,
+    rgb888: Rgb888,
+    bgr888: Bgr888,
+    rgb666_be: Be<Rgb666>,
+    bgr666_be: Be<Bgr666>,
+    rgb888_be: Be<Rgb888>,
+    bgr888_be: Be<Bgr888>,
+    xrgb8888: Xrgb8888,
+    xrgb8888_be: Be<Xrgb8888>,
 }
 
-/// Is it the same colour? (Colours need not be printable.)
-fn same<F: PixelFormat>(a: Option<F::Color>, b: Option<F::Color>) -> bool {
-    a == b
+fn every_law(kind: &dyn Kind) {
+    every_run_is_its_pixels(kind);
+    long_runs_are_their_pixels(kind);
+    what_is_set_is_got(kind);
+    areas_are_their_pixels(kind);
+    views_and_clips_are_windows(kind);
+    bands_are_the_whole(kind);
+    shapes_are_their_pixels(kind);
+    rows_read_out_are_their_pixels(kind);
+    blits_are_their_pixels(kind);
+    every_phase_of_a_blit(kind);
+    moves_are_their_pixels(kind);
+    embedded_graphics_draws_pixels(kind);
+    constructors_check(kind);
+}
+
+/// Memory of that many pixels, at any alignment, with or without gaps between the rows.
+fn twin(rng: &mut Rng, kind: &dyn Kind, size: (u16, u16)) -> Naive {
+    let (start, gap) = (rng.index(8), rng.pick(&[0, 0, 1, 2, 3, 5]));
+    Naive::random(rng, kind.format(), size, start, gap)
 }
 
 /// Every `start..end` of a row, at every alignment of the memory, with even and odd strides.
-fn every_run_is_its_pixels<F: PixelFormat>() {
+fn every_run_is_its_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(50);
     let width = 27;
     for start in 0..8 {
         for gap in [0, 1, 2, 5] {
-            let before = Naive::<F>::random(&mut rng, (width, 3), start, gap);
-            let color = color::<F>(&mut rng);
+            let before = Naive::random(&mut rng, kind.format(), (width, 3), start, gap);
+            let color = kind.format().random(&mut rng);
             for x0 in 0..i32::from(width) {
                 for x1 in x0 + 1..=i32::from(width) {
                     let (mut twin, mut real) = (before.clone(), before.bytes.clone());
                     let y = rng.int(0, 2);
-                    twin.fill(Rect::new(x0, y, x1, y + 1), color);
-                    let mut frame = before.frame(&mut real);
-                    let span = Span { y, x0, x1 }.clip(frame.window()).expect("not empty");
-                    frame.fill_span(span, color);
-                    let colors = frame.colors(Rect::new(x0, y, x1, y + 1)).all(|c| c == color);
-                    assert!(colors, "{} reads back {x0}..{x1}", std::any::type_name::<F>());
-                    twin.assert_same(&real, || format!("span {x0}..{x1} of row {y}"));
+                    let area = Rect::new(x0, y, x1, y + 1);
+                    twin.fill(area, color);
+                    let mut frame = kind.open(&before, &mut real);
+                    frame.fill_span(Span { y, x0, x1 }, color);
+                    assert!(frame.colors(area).iter().all(|&c| c == color), "{area:?} reads back");
+                    drop(frame);
+                    twin.assert_same(&real, &|| format!("span {x0}..{x1} of row {y}"));
                 }
             }
         }
@@ -147,40 +127,39 @@ fn every_run_is_its_pixels<F: PixelFormat>() {
 }
 
 /// Runs long enough for words, blocks of words, and whatever else makes long runs fast.
-fn long_runs_are_their_pixels<F: PixelFormat>() {
+fn long_runs_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(51);
     for _ in 0..300 {
-        let (start, gap) = (rng.index(8), rng.pick(&[0, 0, 1, 3, 4]));
         let width = rng.pick(&[64, 127, 300, 521]);
-        let before = Naive::<F>::random(&mut rng, (width, 2), start, gap);
-        let color = color::<F>(&mut rng);
-        let (mut twin, mut real) = (before.clone(), before.bytes.clone());
+        let mut twin = twin(&mut rng, kind, (width, 2));
+        let mut real = twin.bytes.clone();
+        let color = kind.format().random(&mut rng);
         let (x0, x1) = (rng.int(0, 70), rng.int(30, width.into()));
         let area = Rect::new(x0, rng.int(0, 1), x1, 2);
         twin.fill(area, color);
-        before.frame(&mut real).fill_area(area, color);
-        twin.assert_same(&real, || format!("{area:?}"));
+        kind.open(&twin, &mut real).fill_area(area, color);
+        twin.assert_same(&real, &|| format!("{area:?}"));
     }
 }
 
-fn what_is_set_is_got<F: PixelFormat>() {
+fn what_is_set_is_got(kind: &dyn Kind) {
     let mut rng = Rng::new(52);
     for _ in 0..60 {
         let size = (rng.int(0, 20) as u16, rng.int(0, 5) as u16);
-        let (start, gap) = (rng.index(8), rng.index(4));
-        let mut twin = Naive::<F>::random(&mut rng, size, start, gap);
+        let mut twin = twin(&mut rng, kind, size);
         let mut real = twin.bytes.clone();
         for _ in 0..40 {
-            let (x, y, color) = (rng.int(-2, 21), rng.int(-2, 6), color::<F>(&mut rng));
-            let mut frame = twin.frame(&mut real);
+            let (x, y, color) = (rng.int(-2, 21), rng.int(-2, 6), kind.format().random(&mut rng));
+            let mut frame = kind.open(&twin, &mut real);
+            assert_eq!(frame.get(Point::new(x, y)), twin.get(x, y), "({x}, {y}) before");
             frame.set(Point::new(x, y), color);
-            let got = frame.get(Point::new(x, y));
-            assert_eq!(frame.window(), twin.window(), "the window of a framebuffer is its screen");
-            assert_eq!(frame.size(), Size::new(size.0.into(), size.1.into()), "size");
-            assert_eq!(frame.stride(), twin.stride, "stride");
             twin.set(x, y, color);
-            assert!(same::<F>(got, twin.get(x, y)), "{} at ({x}, {y})", std::any::type_name::<F>());
-            twin.assert_same(&real, || format!("({x}, {y})"));
+            assert_eq!(frame.get(Point::new(x, y)), twin.get(x, y), "({x}, {y})");
+            assert_eq!(frame.window(), twin.window(), "the window of a framebuffer is its screen");
+            assert_eq!(frame.size(), Size::new(size.0.into(), size.1.into()), "its size too");
+            assert_eq!(frame.stride(), twin.stride, "stride");
+            drop(frame);
+            twin.assert_same(&real, &|| format!("({x}, {y})"));
         }
     }
 }
@@ -195,50 +174,48 @@ fn random_area(rng: &mut Rng) -> Rect {
     Rect::new(side(rng), side(rng), side(rng), side(rng))
 }
 
-fn areas_are_their_pixels<F: PixelFormat>() {
+fn areas_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(53);
     for _ in 0..300 {
         let size = (rng.int(0, 40) as u16, rng.int(0, 9) as u16);
-        let (start, gap) = (rng.index(8), rng.pick(&[0, 1, 3]));
-        let mut twin = Naive::<F>::random(&mut rng, size, start, gap);
+        let mut twin = twin(&mut rng, kind, size);
         let mut real = twin.bytes.clone();
-        let (area, color) = (random_area(&mut rng), color::<F>(&mut rng));
-        match rng.below(4) {
+        let (area, color) = (random_area(&mut rng), kind.format().random(&mut rng));
+        let mut frame = kind.open(&twin, &mut real);
+        let painted = match rng.below(4) {
             0 => {
-                twin.frame(&mut real).clear(color);
-                twin.fill(twin.window(), color);
+                frame.clear(color);
+                twin.window()
             }
             1 => {
-                twin.frame(&mut real).fill_window(color);
-                twin.fill(twin.window(), color);
+                frame.fill_window(color);
+                twin.window()
             }
             _ => {
-                twin.frame(&mut real).fill_area(area, color);
-                twin.fill(area, color);
+                frame.fill_area(area, color);
+                area
             }
-        }
-        twin.assert_same(&real, || format!("{area:?}"));
+        };
+        drop(frame);
+        twin.fill(painted, color);
+        twin.assert_same(&real, &|| format!("{painted:?}"));
     }
 }
 
-/// A view starts at any pixel, even within a byte; a view of a clip of a view is one too.
-fn views_and_clips_are_windows<F: PixelFormat>() {
+/// A view starts at any pixel, even within a byte; a clip of a view is one too.
+fn views_and_clips_are_windows(kind: &dyn Kind) {
     let mut rng = Rng::new(54);
     for i in 0..400 {
-        let (start, gap) = (rng.index(8), rng.pick(&[0, 1]));
-        let mut twin = Naive::<F>::random(&mut rng, (37, 8), start, gap);
+        let mut twin = twin(&mut rng, kind, (37, 8));
         let mut real = twin.bytes.clone();
         let (outer, inner, paint) = (random_area(&mut rng), random_area(&mut rng), random_area(&mut rng));
         let outer = if i < 37 { Rect { x0: i, x1: i + 9, ..outer } } else { outer };
-        let color = color::<F>(&mut rng);
-        let mut frame = twin.frame(&mut real);
+        let color = kind.format().random(&mut rng);
+        let mut frame = kind.open(&twin, &mut real);
         let mut view = frame.view(outer);
         let extent = |n: u32| n.min(65_535);
         assert_eq!(view.size(), Size::new(extent(outer.width()), extent(outer.height())), "size of {outer:?}");
         view.clipped(inner).fill_area(paint, color);
-        let point = Point::new(rng.int(-3, 40), rng.int(-3, 9));
-        let got = view.get(point);
-        view.set(point, color);
 
         // The view's (0, 0) is the top left corner of `outer`, and nothing outside of `outer` or its 65,535 is painted.
         let shown = |x: i32, y: i32| {
@@ -246,221 +223,138 @@ fn views_and_clips_are_windows<F: PixelFormat>() {
             let in_view = outer.contains(x, y) && vx < 65_535 && vy < 65_535;
             in_view.then_some((vx as i32, vy as i32))
         };
-        for y in 0..8 {
-            for x in 0..37 {
-                let Some((vx, vy)) = shown(x, y) else { continue };
-                if Point::new(vx, vy) == point {
-                    let before =
-                        if inner.contains(vx, vy) && paint.contains(vx, vy) { Some(color) } else { twin.get(x, y) };
-                    assert!(same::<F>(got, before), "{point} in {outer:?}");
-                }
-                if inner.contains(vx, vy) && paint.contains(vx, vy) || Point::new(vx, vy) == point {
-                    twin.set(x, y, color);
-                }
+        let point = Point::new(rng.int(-3, 40), rng.int(-3, 9));
+        let mut wanted = None;
+        for (x, y) in pixels(twin.window()) {
+            let Some((vx, vy)) = shown(x, y) else { continue };
+            if inner.contains(vx, vy) && paint.contains(vx, vy) {
+                twin.set(x, y, color);
+            }
+            if Point::new(vx, vy) == point {
+                wanted = twin.get(x, y);
+                twin.set(x, y, color);
             }
         }
-        twin.assert_same(&real, || format!("view {outer:?} clip {inner:?} paint {paint:?} point {point}"));
-    }
-}
-
-/// A random shape drawn on a surface.
-fn draw<S: Surface>(surface: &mut S, shape: &Shape, color: S::Color) {
-    match shape {
-        Shape::Line(a, b) => surface.draw_line(Point::new(a.0, a.1), Point::new(b.0, b.1), color),
-        Shape::Triangle(units) => surface.fill_triangle(corners(*units), color),
-        Shape::Polygon(units) => {
-            let mut table = [Edge::EMPTY; 16];
-            surface.fill_polygon(&vertices(units), FillRule::EvenOdd, &mut table, color).expect("enough slots");
-        }
-        Shape::Rectangle(units) => {
-            let [a, b, _] = corners(*units);
-            surface.fill_rectangle(a, b, color);
-        }
-    }
-}
-
-#[derive(Debug)]
-enum Shape {
-    Line((i32, i32), (i32, i32)),
-    Triangle([Units; 3]),
-    Polygon(Vec<Units>),
-    Rectangle([Units; 3]),
-}
-
-impl Shape {
-    fn random(rng: &mut Rng) -> Self {
-        let scale = rng.pick(&Scale::ALL);
-        let place = |rng: &mut Rng| (rng.int(-2_000, 14_000), rng.int(-1_500, 10_000));
-        match rng.below(8) {
-            0 => {
-                let [a, b] = ends_of_line(rng, scale);
-                Self::Line(a, b)
-            }
-            1 | 2 => {
-                let end = |rng: &mut Rng| (rng.int(-4, 50), rng.int(-4, 40));
-                let (a, b) = (end(rng), end(rng));
-                match rng.below(4) {
-                    0 => Self::Line(a, (b.0, a.1)),
-                    1 => Self::Line(a, (a.0, b.1)),
-                    _ => Self::Line(a, b),
-                }
-            }
-            3 => Self::Triangle([place(rng), place(rng), place(rng)]),
-            4 => {
-                let far = outline(rng, scale, 3);
-                Self::Triangle([place(rng), far[0], far[1]])
-            }
-            5 => Self::Rectangle([place(rng), place(rng), place(rng)]),
-            _ => Self::Polygon((0..rng.range(3, 9)).map(|_| place(rng)).collect()),
-        }
-    }
-
-    /// Its pixels, by the naive twins.
-    fn has(&self, window: Rect) -> Vec<(i32, i32)> {
-        let runs = match self {
-            Self::Line(a, b) => return twins::line(*a, *b, window),
-            Self::Triangle(units) => twins::triangle(*units, window),
-            Self::Polygon(units) => twins::polygon(std::slice::from_ref(units), FillRule::EvenOdd, window),
-            Self::Rectangle([a, b, _]) => twins::rectangle(*a, *b, window),
-        };
-        runs.into_iter().flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y))).collect()
+        assert_eq!(view.get(point), wanted, "{point} in {outer:?}");
+        view.set(point, color);
+        drop(view);
+        drop(frame);
+        twin.assert_same(&real, &|| format!("view {outer:?} clip {inner:?} paint {paint:?} point {point}"));
     }
 }
 
 /// Shapes paint the pixels of their twins, whatever shortcut a framebuffer takes; through views too.
-fn shapes_are_their_pixels<F: PixelFormat>() {
+fn shapes_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(55);
     for _ in 0..400 {
-        let (start, gap) = (rng.index(8), rng.pick(&[0, 0, 1, 2]));
-        let mut twin = Naive::<F>::random(&mut rng, (45, 33), start, gap);
+        let mut twin = twin(&mut rng, kind, (45, 33));
         let mut real = twin.bytes.clone();
-        let (shape, color) = (Shape::random(&mut rng), color::<F>(&mut rng));
+        let (shape, color) = (Shape::random(&mut rng), kind.format().random(&mut rng));
         let area = match rng.below(3) {
             0 => twin.window(),
             1 => Rect::new(rng.int(0, 20), rng.int(0, 15), rng.int(20, 45), rng.int(15, 33)),
             _ => Rect::new(rng.int(-9, 50), rng.int(-9, 40), rng.int(-9, 50), rng.int(-9, 40)),
         };
         let is_view = rng.one_in(2);
-        let mut frame = twin.frame(&mut real);
-        if is_view {
-            draw(&mut frame.view(area), &shape, color);
-        } else {
-            draw(&mut frame.clipped(area), &shape, color);
-        }
+        let mut frame = kind.open(&twin, &mut real);
+        let mut part = if is_view { frame.view(area) } else { frame.clipped(area) };
+        part.draw(&shape, color);
+        drop(part);
+        drop(frame);
         let (dx, dy) = if is_view { (area.x0, area.y0) } else { (0, 0) };
         let window = area.intersection(twin.window());
-        for (x, y) in shape.has(window.relative_to(dx, dy)) {
+        for (x, y) in shape.pixels(window.relative_to(dx, dy)) {
             twin.set(x + dx, y + dy, color);
         }
-        twin.assert_same(&real, || format!("{shape:?} view {is_view} of {area:?}"));
+        twin.assert_same(&real, &|| format!("{shape:?} view {is_view} of {area:?}"));
     }
 }
 
 /// A scene drawn band by band is the scene.
-fn bands_are_the_whole<F: PixelFormat>() {
+fn bands_are_the_whole(kind: &dyn Kind) {
     let mut rng = Rng::new(56);
+    let (width, height) = (41, 26);
     for _ in 0..12 {
-        let (width, height) = (41_u16, 26_u16);
-        let shapes: Vec<_> = (0..5).map(|_| (Shape::random(&mut rng), color::<F>(&mut rng))).collect();
-        let mut whole = vec![0; buffer_bytes::<F>(width, height)];
-        let mut frame = Framebuffer::<F>::new(&mut whole, width, height).expect("the right size");
+        let shapes: Vec<_> = (0..5).map(|_| (Shape::random(&mut rng), kind.format().random(&mut rng))).collect();
+        let mut whole = vec![0; kind.bytes(width, height).1];
+        let mut frame = kind.packed(&mut whole, width, height).expect("the right size");
         for (shape, color) in &shapes {
-            draw(&mut frame, shape, *color);
+            frame.draw(shape, *color);
         }
+        drop(frame);
         for rows in [1, 2, 3, 7, 8, 25, 26] {
             let mut pieces = vec![];
             for start in (0..height).step_by(usize::from(rows)) {
                 let end = height.min(start + rows);
-                let mut memory = vec![0; buffer_bytes::<F>(width, end - start)];
-                let mut band = Framebuffer::<F>::band(&mut memory, width, height, start..end).expect("on the screen");
+                let mut memory = vec![0; kind.bytes(width, end - start).1];
+                let mut band = kind.band(&mut memory, (width, height), start..end).expect("on the screen");
                 assert_eq!(band.size(), Size::new(width.into(), height.into()), "a band has the size of its screen");
                 assert_eq!(band.window(), Rect::new(0, start.into(), width.into(), end.into()), "and its own rows");
                 for (shape, color) in &shapes {
-                    draw(&mut band, shape, *color);
+                    band.draw(shape, *color);
                 }
+                drop(band);
                 pieces.extend(memory);
             }
-            assert!(
-                pieces == whole,
-                "bands of {rows} rows of {shapes:?}",
-                shapes = shapes.iter().map(|s| &s.0).collect::<Vec<_>>()
-            );
+            assert!(pieces == whole, "{}: bands of {rows} rows of {shapes:?}", kind.format().name);
         }
     }
 }
 
-fn rows_read_out_are_their_pixels<F: PixelFormat>() {
+fn rows_read_out_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(57);
     for _ in 0..200 {
         let size = (rng.int(0, 30) as u16, rng.int(0, 8) as u16);
-        let (start, gap) = (rng.index(4), rng.index(3));
-        let twin = Naive::<F>::random(&mut rng, size, start, gap);
+        let twin = twin(&mut rng, kind, size);
         let mut real = twin.bytes.clone();
         let memory = &twin.bytes[twin.place.clone()];
-        let frame = twin.frame(&mut real);
+        let frame = kind.open(&twin, &mut real);
         let area = random_area(&mut rng);
         let seen = area.intersection(twin.window());
 
-        let wanted: Vec<_> = if seen.is_empty() {
-            vec![]
-        } else {
-            let pixels = || (seen.y0..seen.y1).flat_map(|y| (seen.x0..seen.x1).map(move |x| (x, y)));
-            pixels().map(|(x, y)| twin.get(x, y).expect("inside")).collect()
-        };
-        assert!(frame.colors(area).eq(wanted), "colors of {area:?}");
+        let wanted: Vec<u32> = pixels(seen).filter_map(|(x, y)| twin.get(x, y)).collect();
+        assert_eq!(frame.colors(area), wanted, "colors of {area:?}");
 
-        let wanted: Vec<&[u8]> = if seen.is_empty() {
-            vec![]
-        } else {
-            let byte = |bits: i32| bits as usize * F::BITS as usize;
-            (seen.y0 as usize..seen.y1 as usize)
-                .map(|y| &memory[y * twin.stride + byte(seen.x0) / 8..y * twin.stride + byte(seen.x1).div_ceil(8)])
-                .collect()
-        };
-        assert!(frame.bytes(area).eq(wanted.iter().copied()), "bytes of {area:?}");
-        assert!(twin.bitmap().bytes(area).eq(wanted.iter().copied()), "bytes of a bitmap, {area:?}");
+        // From the byte of the first pixel to that of the last.
+        let byte = |x: i32| x as usize * kind.format().bits;
+        let rows = if seen.is_empty() { 0..0 } else { seen.y0 as usize..seen.y1 as usize };
+        let row = |y: usize| y * twin.stride + byte(seen.x0) / 8..y * twin.stride + byte(seen.x1).div_ceil(8);
+        let wanted: Vec<&[u8]> = rows.map(|y| &memory[row(y)]).collect();
+        assert_eq!(frame.bytes(area), wanted, "bytes of {area:?}");
+        assert_eq!(kind.bitmap_bytes(&twin, area), wanted, "bytes of a bitmap, {area:?}");
 
         let (first, end) = (rng.int(0, 9) as u16, rng.int(0, 9) as u16);
-        let rows = if first <= end && end <= size.1 {
-            let stop = (usize::from(end) * twin.stride).min(memory.len());
-            &memory[(usize::from(first) * twin.stride).min(stop)..stop]
-        } else {
-            &[]
-        };
+        let at = |row: u16| (usize::from(row) * twin.stride).min(memory.len());
+        let rows = if first <= end && end <= size.1 { &memory[at(first)..at(end)] } else { &[] };
         assert_eq!(frame.row_bytes(first..end), rows, "rows {first}..{end} of {}", size.1);
-        let bitmap = frame.as_bitmap();
+
         let p = Point::new(rng.int(-2, 31), rng.int(-2, 9));
-        assert!(same::<F>(bitmap.get(p), twin.get(p.x, p.y)), "a framebuffer's bitmap at {p}");
-        assert_eq!((bitmap.window(), bitmap.size()), (frame.window(), frame.size()), "and its size");
+        assert_eq!(frame.as_bitmap(p), (twin.get(p.x, p.y), frame.window(), frame.size()), "as a bitmap, {p}");
     }
 }
 
-/// Two pictures with few colours, so that keys hit.
-fn pictures<F: PixelFormat>(rng: &mut Rng) -> (Naive<F>, Naive<F>) {
-    let picture = |rng: &mut Rng| {
-        let size = (rng.int(0, 40) as u16, rng.int(0, 7) as u16);
-        let (start, gap) = (rng.index(8), rng.pick(&[0, 0, 1, 3]));
-        let mut picture = Naive::<F>::random(rng, size, start, gap);
-        let key = color::<F>(rng);
-        for _ in 0..usize::from(size.0) * usize::from(size.1) / 2 {
-            picture.set(rng.int(0, 39), rng.int(0, 6), key);
-        }
-        picture
-    };
-    (picture(rng), picture(rng))
+/// A picture where one colour is frequent, so that keys hit.
+fn picture(rng: &mut Rng, kind: &dyn Kind) -> Naive {
+    let size = (rng.int(0, 40) as u16, rng.int(0, 7) as u16);
+    let mut picture = twin(rng, kind, size);
+    let key = kind.format().random(rng);
+    for _ in 0..usize::from(size.0) * usize::from(size.1) / 2 {
+        picture.set(rng.int(0, 39), rng.int(0, 6), key);
+    }
+    picture
 }
 
-/// A colour that `picture` has.
-fn key_of<F: PixelFormat>(rng: &mut Rng, picture: &Naive<F>) -> Option<F::Color> {
+/// A colour that `picture` has, or none.
+fn key_of(rng: &mut Rng, picture: &Naive) -> Option<u32> {
     let (x, y) = (rng.int(0, 39), rng.int(0, 6));
     picture.get(x, y).filter(|_| rng.one_in(2))
 }
 
-/// From any pixel of a byte to any other, clipped on every side, with and without a key, through views.
-fn blits_are_their_pixels<F: PixelFormat>() {
+/// From any pixel of a byte to any other, clipped on every side, with and without a key.
+fn blits_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(58);
     for i in 0..900 {
-        let (mut twin, source) = pictures::<F>(&mut rng);
+        let (mut twin, source) = (picture(&mut rng, kind), picture(&mut rng, kind));
         let mut real = twin.bytes.clone();
         let key = key_of(&mut rng, &source);
         let (part, clip) =
@@ -470,158 +364,132 @@ fn blits_are_their_pixels<F: PixelFormat>() {
         } else {
             Point::new(rng.int(-20, 40), rng.int(-5, 7))
         };
-        let bitmap = source.bitmap().part(part);
-        let mut frame = twin.frame(&mut real);
-        let mut target = frame.clipped(clip);
-        match key {
-            Some(key) => target.blit_keyed(at, &bitmap, key),
-            None => target.blit(at, &bitmap),
-        }
+        kind.open(&twin, &mut real).clipped(clip).blit(at, &source, part, key);
         twin.blit(clip, at, &source, part, key);
-        twin.assert_same(&real, || format!("{part:?} at {at} in {clip:?}, key {}", key.is_some()));
+        twin.assert_same(&real, &|| format!("{part:?} at {at} in {clip:?}, key {key:?}"));
     }
-    every_phase::<F>(&mut rng);
 }
 
-/// Every start within a byte on both sides, every short width.
-fn every_phase<F: PixelFormat>(rng: &mut Rng) {
-    let before = Naive::<F>::random(rng, (40, 1), 3, 0);
-    let source = Naive::<F>::random(rng, (40, 1), 2, 0);
+/// Every start within a byte on both sides, every short width, into a view.
+fn every_phase_of_a_blit(kind: &dyn Kind) {
+    let mut rng = Rng::new(64);
+    let before = Naive::random(&mut rng, kind.format(), (40, 1), 3, 0);
+    let source = Naive::random(&mut rng, kind.format(), (40, 1), 2, 0);
     for from in 0..9 {
         for to in 0..9 {
             for width in 1..28 {
                 let (mut twin, mut real) = (before.clone(), before.bytes.clone());
                 let part = Rect::new(from, 0, from + width, 1);
-                // A view of the target and one of the source give the same.
-                let mut frame = before.frame(&mut real);
-                let mut view = frame.view(Rect::new(to, 0, 40, 1));
-                view.blit(Point::new(0, 0), &source.bitmap().part(part));
+                let mut frame = kind.open(&before, &mut real);
+                frame.view(Rect::new(to, 0, 40, 1)).blit(Point::new(0, 0), &source, part, None);
+                drop(frame);
                 twin.blit(before.window(), Point::new(to, 0), &source, part, None);
-                twin.assert_same(&real, || format!("{width} pixels from {from} to {to}"));
+                twin.assert_same(&real, &|| format!("{width} pixels from {from} to {to}"));
             }
         }
     }
 }
 
 /// Up, down, left, right, by less than a pixel row and by more than the area, near and at the ends of `i32`.
-fn moves_are_their_pixels<F: PixelFormat>() {
+fn moves_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(59);
     for i in 0..900 {
-        let (mut twin, _) = pictures::<F>(&mut rng);
-        if i % 10 == 0 {
-            // Wider than what is taken up at once.
-            let (start, gap) = (rng.index(8), rng.index(2));
-            twin = Naive::random(&mut rng, (450, 3), start, gap);
-        }
+        // Now and then wider than what is taken up at once.
+        let is_wide = i % 10 == 0;
+        let mut twin = if is_wide { twin(&mut rng, kind, (450, 3)) } else { picture(&mut rng, kind) };
         let mut real = twin.bytes.clone();
         let clip = if rng.one_in(3) { random_area(&mut rng) } else { twin.window() };
-        let (area, to) = if rng.one_in(2) {
-            let wide = if i % 10 == 0 { 430 } else { 24 };
+        let near = |rng: &mut Rng, n: i32| n.saturating_add(rng.int(-9, 9));
+        let area = if rng.one_in(2) {
             let (x, y) = (rng.int(-3, 20), rng.int(-3, 5));
-            let area = Rect::new(x, y, x + rng.int(0, wide), y + rng.int(0, 6));
-            (area, Point::new(x + rng.int(-9, 9), y + rng.int(-3, 3)))
+            Rect::new(x, y, x + rng.int(0, if is_wide { 430 } else { 24 }), y + rng.int(0, 6))
         } else {
-            let area = random_area(&mut rng);
-            let near = |n: i32, rng: &mut Rng| n.saturating_add(rng.int(-9, 9));
-            (area, Point::new(near(area.x0, &mut rng), near(area.y0, &mut rng)))
+            random_area(&mut rng)
         };
+        let to = Point::new(near(&mut rng, area.x0), near(&mut rng, area.y0));
         let key = key_of(&mut rng, &twin);
-        let mut frame = twin.frame(&mut real);
-        let mut target = frame.clipped(clip);
-        match key {
-            Some(key) => target.move_area_keyed(area, to, key),
-            None => target.move_area(area, to),
-        }
+        kind.open(&twin, &mut real).clipped(clip).move_area(area, to, key);
         twin.move_area(clip, area, to, key);
-        twin.assert_same(&real, || format!("{area:?} to {to} in {clip:?}, key {}", key.is_some()));
+        twin.assert_same(&real, &|| format!("{area:?} to {to} in {clip:?}, key {key:?}"));
     }
 }
 
-/// What embedded-graphics calls: single pixels, solid and many-coloured rectangles, clear, reading.
-fn embedded_graphics_draws_pixels<F: PixelFormat>() {
+/// What embedded-graphics calls: single pixels, solid and many-coloured rectangles, reading.
+fn embedded_graphics_draws_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(60);
-    for _ in 0..200 {
-        let (start, gap) = (rng.index(8), rng.index(3));
-        let mut twin = Naive::<F>::random(&mut rng, (21, 9), start, gap);
+    for _ in 0..300 {
+        let mut twin = twin(&mut rng, kind, (21, 9));
         let mut real = twin.bytes.clone();
         let corner = Point::new(rng.int(-8, 24), rng.int(-8, 11));
         let area = Rectangle::new(corner, Size::new(rng.below(30) as u32, rng.below(14) as u32));
-        let shift = (rng.int(0, 4), rng.int(0, 3));
-        let window = Rect::new(shift.0, shift.1, 21, 9);
-        let mut frame = twin.frame(&mut real);
+        let places = pixels(Rect::from(area)).map(|(x, y)| Point::new(x, y));
+        let colors: Vec<u32> = (0..rng.index(450)).map(|_| kind.format().random(&mut rng)).collect();
+        let mut list: Vec<(Point, u32)> = places.zip(colors.iter().copied()).collect();
+        let window = Rect::new(rng.int(0, 4), rng.int(0, 3), 21, 9);
+
+        let mut frame = kind.open(&twin, &mut real);
         let mut view = frame.view(window);
-        let colors: Vec<F::Color> = (0..rng.index(450)).map(|_| color::<F>(&mut rng)).collect();
-        let places: Vec<Point> = (0..area.size.height as i32)
-            .flat_map(|y| (0..area.size.width as i32).map(move |x| corner + Point::new(x, y)))
-            .collect();
         match rng.below(3) {
-            0 => view.fill_contiguous(&area, colors.iter().copied()).expect("infallible"),
+            0 => view.fill_contiguous(&area, &colors),
             1 => {
-                let pixels = places.iter().zip(&colors).map(|(&p, &c)| Pixel(p, c));
-                view.draw_iter(pixels).expect("infallible");
+                rng.shuffle(&mut list);
+                view.draw_iter(&list);
             }
             _ => {
-                view.fill_solid(&area, colors.first().copied().unwrap_or(F::unpack(0))).expect("infallible");
-                let solid = colors.first().copied().unwrap_or(F::unpack(0));
-                for p in &places {
-                    twin.set_in(window, *p, solid);
-                }
-                twin.assert_same(&real, || format!("fill_solid {area:?}"));
-                continue;
+                let color = kind.format().random(&mut rng);
+                view.fill_solid(&area, color);
+                list = pixels(Rect::from(area)).map(|(x, y)| (Point::new(x, y), color)).collect();
             }
         }
-        let p = Point::new(rng.int(-2, 22), rng.int(-2, 10));
-        let got = view.pixel(p);
-        for (p, c) in places.iter().zip(&colors) {
-            twin.set_in(window, *p, *c);
+        for &(p, color) in &list {
+            twin.set_in(window, p, color);
         }
-        let wanted = (p.x >= 0 && p.y >= 0).then(|| twin.get(p.x + shift.0, p.y + shift.1)).flatten();
-        assert!(same::<F>(got, wanted), "pixel {p}");
-        twin.assert_same(&real, || format!("{area:?} with {} colours", colors.len()));
+        let p = Point::new(rng.int(-2, 22), rng.int(-2, 10));
+        let (x, y) = (p.x + window.x0, p.y + window.y0);
+        assert_eq!(view.pixel(p), twin.get(x, y).filter(|_| window.contains(x, y)), "pixel {p}");
+        drop(view);
+        drop(frame);
+        twin.assert_same(&real, &|| format!("{area:?} with {} colours", colors.len()));
     }
 }
 
 /// The numbers in the errors are the ones that a caller can compute.
-fn constructors_check<F: PixelFormat>() {
+fn constructors_check(kind: &dyn Kind) {
     let mut rng = Rng::new(61);
-    for _ in 0..500 {
-        let side = |rng: &mut Rng| rng.pick(&[0, 1, 2, 7, 8, 9, 33, 255, 65_535]);
-        let (width, height): (u16, u16) = (side(&mut rng), side(&mut rng));
-        let row = (usize::from(width) * F::BITS as usize).div_ceil(8);
-        assert_eq!(row_bytes::<F>(width), row, "bytes of {width} pixels");
-        assert_eq!(buffer_bytes::<F>(width, height), row * usize::from(height), "bytes of {width} x {height}");
-        let given = rng.index(600);
-        let mut memory = vec![0xa5; given];
-        let stride = (row + rng.index(5)).saturating_sub(rng.index(5));
-        let needed = if height == 0 { 0 } else { stride * (usize::from(height) - 1) + row };
-        let strided = if stride < row {
-            Err(Error::StrideTooSmall { needed: row, given: stride })
-        } else if given < needed {
+    let enough = |needed: usize, given: usize| {
+        if given < needed {
             Err(Error::BufferTooSmall { needed, given })
         } else {
             Ok(())
-        };
-        let frame = Framebuffer::<F>::with_stride(&mut memory, width, height, stride).map(|_| ());
-        assert_eq!(frame, strided, "{width} x {height} stride {stride} in {given}");
-        assert_eq!(Bitmap::<F>::with_stride(&memory, width, height, stride).map(|_| ()), strided, "and a bitmap");
-        let needed = row * usize::from(height);
-        let packed = if given < needed { Err(Error::BufferTooSmall { needed, given }) } else { Ok(()) };
-        assert_eq!(
-            Framebuffer::<F>::new(&mut memory, width, height).map(|_| ()),
-            packed,
-            "{width} x {height} in {given}"
-        );
-        assert_eq!(Bitmap::<F>::new(&memory, width, height).map(|_| ()), packed, "and a bitmap");
+        }
+    };
+    for _ in 0..500 {
+        let side = |rng: &mut Rng| rng.pick(&[0, 1, 2, 7, 8, 9, 33, 255, 65_535]);
+        let (width, height): (u16, u16) = (side(&mut rng), side(&mut rng));
+        let row = (usize::from(width) * kind.format().bits).div_ceil(8);
+        assert_eq!(kind.bytes(width, height), (row, row * usize::from(height)), "bytes of {width} x {height}");
+        let given = rng.index(600);
+        let mut memory = vec![0xa5; given];
+
+        let stride = (row + rng.index(5)).saturating_sub(rng.index(5));
+        let needed = if height == 0 { 0 } else { stride * (usize::from(height) - 1) + row };
+        let narrow = Err(Error::StrideTooSmall { needed: row, given: stride });
+        let wanted = if stride < row { narrow } else { enough(needed, given) };
+        assert_eq!(kind.strided(&mut memory, width, height, stride), wanted, "{width} x {height}, stride {stride}");
+        assert_eq!(kind.strided_bitmap(&memory, width, height, stride), wanted, "and a bitmap");
+
+        let wanted = enough(row * usize::from(height), given);
+        assert_eq!(kind.packed(&mut memory, width, height).map(|_| ()), wanted, "{width} x {height}");
+        assert_eq!(kind.packed_bitmap(&memory, width, height), wanted, "and a bitmap");
+
         let (start, end) = (side(&mut rng), side(&mut rng));
         let wanted = if start > end || end > height {
             Err(Error::BandOutsideScreen { start, end, height })
-        } else if given < row * usize::from(end - start) {
-            Err(Error::BufferTooSmall { needed: row * usize::from(end - start), given })
         } else {
-            Ok(())
+            enough(row * usize::from(end - start), given)
         };
-        let band = Framebuffer::<F>::band(&mut memory, width, height, start..end).map(|_| ());
-        assert_eq!(band, wanted, "band {start}..{end} of {width} x {height} in {given}");
+        let band = kind.band(&mut memory, (width, height), start..end).map(|_| ());
+        assert_eq!(band, wanted, "band {start}..{end} of {width} x {height}");
         assert!(memory.iter().all(|&b| b == 0xa5), "constructors do not touch the memory");
     }
 }
@@ -716,6 +584,7 @@ impl NaivePages {
 #[test]
 fn paged_memory_is_its_pixels() {
     let mut rng = Rng::new(62);
+    let all = |area: Rect| pixels(area).collect::<Vec<_>>();
     for _ in 0..6_000 {
         let mut twin = NaivePages::random(&mut rng);
         let mut real = twin.bytes.clone();
@@ -725,31 +594,31 @@ fn paged_memory_is_its_pixels() {
         let mut oled = Paged::<BinaryColor>::new(&mut real, twin.width, twin.height).expect("the right size");
         assert_eq!(oled.size(), Size::new(twin.width.into(), twin.height.into()));
         let color = BinaryColor::from(on);
-        let pixels: Vec<(i32, i32)> = match rng.below(5) {
+        let painted: Vec<(i32, i32)> = match rng.below(5) {
             0 => {
                 oled.clear(color);
-                all_pixels(twin.window())
+                all(twin.window())
             }
             1 => {
                 oled.clipped(clip).fill_area(area, color);
-                all_pixels(twin.window().intersection(clip).intersection(area))
+                all(twin.window().intersection(clip).intersection(area))
             }
             2 => {
                 oled.set(p, color);
                 vec![(p.x, p.y)]
             }
             3 => {
-                draw(&mut oled.clipped(clip), &shape, color);
-                shape.has(twin.window().intersection(clip))
+                shape.draw(&mut oled.clipped(clip), color);
+                shape.pixels(twin.window().intersection(clip))
             }
             _ => {
                 let solid = Rectangle::new(p, Size::new(rng.below(20) as u32, rng.below(20) as u32));
                 let colors = core::iter::repeat_n(color, 400);
                 oled.fill_contiguous(&solid, colors).expect("infallible");
-                all_pixels(Rect::from(solid).intersection(twin.window()))
+                all(Rect::from(solid).intersection(twin.window()))
             }
         };
-        for (x, y) in pixels {
+        for (x, y) in painted {
             twin.set(x, y, on);
         }
         let q = Point::new(rng.int(-3, 22), rng.int(-3, 33));
@@ -763,13 +632,6 @@ fn paged_memory_is_its_pixels() {
         assert_eq!(oled.page_bytes(first..end), pages, "pages {first}..{end} of {} rows", twin.height);
         assert_eq!(real, twin.bytes, "{} x {} {shape:?} {area:?} {clip:?}", twin.width, twin.height);
     }
-}
-
-fn all_pixels(area: Rect) -> Vec<(i32, i32)> {
-    if area.is_empty() {
-        return vec![];
-    }
-    (area.y0..area.y1).flat_map(|y| (area.x0..area.x1).map(move |x| (x, y))).collect()
 }
 
 #[test]
@@ -787,8 +649,8 @@ fn a_counter_counts_what_a_framebuffer_paints() {
     for _ in 0..3_000 {
         let shape = Shape::random(&mut rng);
         let mut counter = Counter::<Gray8>::new(window);
-        draw(&mut counter, &shape, Gray8::new(1));
-        assert_eq!(counter.pixels, shape.has(window).len() as u64, "{shape:?}");
+        shape.draw(&mut counter, Gray8::new(1));
+        assert_eq!(counter.pixels, shape.pixels(window).len() as u64, "{shape:?}");
         assert_eq!(counter.window(), window);
     }
 }
@@ -796,99 +658,76 @@ fn a_counter_counts_what_a_framebuffer_paints() {
 /// Formats that are indices or have few bits, through every expansion to every way of storing the output.
 mod palettes {
     use super::*;
-    use embedded_graphics_core::pixelcolor::PixelColor;
     use embedded_raster::{pixel::EGA, Palette};
 
-    /// Writes the colours of the indices one by one.
-    fn expand_by_pixel<I: PixelFormat, O: PixelFormat>(table: &[O::Color], indices: &[u8], out: &mut [u8])
-    where
-        I::Color: Into<u8>,
-    {
-        let pixels = (indices.len() * 8 / I::BITS as usize).min(out.len() * 8 / O::BITS as usize).min(65_535) as u16;
-        let from = Bitmap::<I>::new(indices, pixels, 1).expect("as many as there are");
-        let mut to = Framebuffer::<O>::new(out, pixels, 1).expect("as many as there is room for");
-        for x in 0..i32::from(pixels) {
-            let index: u8 = from.get(Point::new(x, 0)).expect("inside").into();
-            if let Some(color) = table.get(usize::from(index)).or(table.first()) {
-                to.set(Point::new(x, 0), *color);
-            } else {
-                to.set(Point::new(x, 0), O::unpack(0));
-            }
-        }
-    }
+    /// A way to expand, behind colours that are bits: `(table, indices, out)`.
+    type Expand<'a> = &'a dyn Fn(&[u32], &[u8], &mut [u8]);
 
-    fn check<I: PixelFormat, O: PixelFormat, const N: usize>(rng: &mut Rng)
-    where
-        I::Color: Into<u8>,
-        O::Color: PixelColor,
-    {
+    /// A table of `entries` random colours, indices and room for pixels of any length, against pixel after pixel.
+    fn check(rng: &mut Rng, index: Format, output: Format, entries: usize, expand: Expand<'_>) {
         for _ in 0..60 {
-            let palette = Palette::<O::Color, N>::new([(); N].map(|()| color::<O>(rng)));
+            let table: Vec<u32> = (0..entries).map(|_| output.random(rng)).collect();
             let indices: Vec<u8> = (0..rng.index(40)).map(|_| rng.bits() as u8).collect();
-            let longest = indices.len() * O::BITS as usize / I::BITS as usize;
+            let longest = indices.len() * output.bits / index.bits;
             let length = if rng.one_in(3) { longest } else { rng.index(longest + 9) };
             let (start, around) = (rng.index(5), 8);
             let before: Vec<u8> = (0..start + length + around).map(|_| rng.bits() as u8).collect();
             let (mut wanted, mut got) = (before.clone(), before);
-            expand_by_pixel::<I, O>(palette.colors(), &indices, &mut wanted[start..start + length]);
-            palette.expand::<I, O>(&indices, &mut got[start..start + length]);
-            assert_eq!(
-                got,
-                wanted,
-                "{} bytes of {} to {length} of {} through {N} colours",
-                indices.len(),
-                std::any::type_name::<I>(),
-                std::any::type_name::<O>()
-            );
+            expand(&table, &indices, &mut got[start..start + length]);
+            for x in 0..(indices.len() * 8 / index.bits).min(length * 8 / output.bits) {
+                let color = table.get(index.read(&indices, 0, x) as usize).or(table.first());
+                output.write(&mut wanted, start, x, color.copied().unwrap_or(0));
+            }
+            let what = || format!("{} bytes of {} to {length} of {}", indices.len(), index.name, output.name);
+            assert_eq!(got, wanted, "{} through {entries} colours", what());
         }
     }
 
+    fn check_table<I: PixelFormat, O: PixelFormat, const N: usize>(rng: &mut Rng) {
+        check(rng, Format::of::<I>(), Format::of::<O>(), N, &|table, indices, out| {
+            let colors = core::array::from_fn(|i| O::unpack(table[i]));
+            Palette::<O::Color, N>::new(colors).expand::<I, O>(indices, out);
+        });
+    }
+
+    /// From every format of indices.
     fn check_output<O: PixelFormat>(rng: &mut Rng) {
-        check::<Index1, O, 2>(rng);
-        check::<Lsb0<Index1>, O, 2>(rng);
-        check::<Index2, O, 4>(rng);
-        check::<Lsb0<Index2>, O, 4>(rng);
-        check::<Index4, O, 16>(rng);
-        check::<Lsb0<Index4>, O, 16>(rng);
-        check::<Index8, O, 256>(rng);
-        // Tables that do not have every index.
-        check::<Index1, O, 1>(rng);
-        check::<Index4, O, 9>(rng);
-        check::<Index8, O, 216>(rng);
-        check::<Index8, O, 0>(rng);
-        check::<Index2, O, 0>(rng);
+        check_table::<Index1, O, 2>(rng);
+        check_table::<Lsb0<Index1>, O, 2>(rng);
+        check_table::<Index2, O, 4>(rng);
+        check_table::<Lsb0<Index2>, O, 4>(rng);
+        check_table::<Index4, O, 16>(rng);
+        check_table::<Lsb0<Index4>, O, 16>(rng);
+        check_table::<Index8, O, 256>(rng);
     }
 
     #[test]
-    fn expansion_to_less_than_a_byte() {
+    fn expansion_is_pixel_after_pixel() {
         let mut rng = Rng::new(70);
         check_output::<BinaryColor>(&mut rng);
         check_output::<Lsb0<Gray2>>(&mut rng);
         check_output::<Gray4>(&mut rng);
-    }
-
-    #[test]
-    fn expansion_to_bytes() {
-        let mut rng = Rng::new(71);
         check_output::<Gray8>(&mut rng);
-        check_output::<Rgb332>(&mut rng);
-    }
-
-    #[test]
-    fn expansion_to_words() {
-        let mut rng = Rng::new(72);
         check_output::<Rgb565>(&mut rng);
         check_output::<Be<Rgb565>>(&mut rng);
-        check_output::<Bgr555>(&mut rng);
-    }
-
-    #[test]
-    fn expansion_to_more_than_words() {
-        let mut rng = Rng::new(73);
         check_output::<Rgb888>(&mut rng);
         check_output::<Be<Rgb666>>(&mut rng);
         check_output::<Xrgb8888>(&mut rng);
         check_output::<Be<Xrgb8888>>(&mut rng);
+    }
+
+    /// Tables that do not have every index, and tables that have more.
+    #[test]
+    fn expansion_through_short_and_long_tables() {
+        let mut rng = Rng::new(71);
+        check_table::<Index1, Gray8, 1>(&mut rng);
+        check_table::<Index4, Rgb565, 9>(&mut rng);
+        check_table::<Index8, Rgb888, 216>(&mut rng);
+        check_table::<Index8, Rgb332, 0>(&mut rng);
+        check_table::<Index2, Bgr555, 0>(&mut rng);
+        check_table::<Index2, Gray4, 3>(&mut rng);
+        check_table::<Index1, Xrgb8888, 256>(&mut rng);
+        check_table::<Index4, Rgb565, 300>(&mut rng);
     }
 
     #[test]

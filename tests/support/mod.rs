@@ -11,6 +11,7 @@
     reason = "tests mix widths on purpose; the wide side is checked where it matters"
 )]
 
+pub(crate) mod frame;
 pub(crate) mod hits;
 pub(crate) mod memory;
 pub(crate) mod rng;

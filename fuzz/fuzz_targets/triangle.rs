@@ -1,0 +1,21 @@
+//! Both triangle fillers against three edge functions per pixel, in wide integers.
+#![no_main]
+
+mod input;
+#[path = "../../tests/support/mod.rs"]
+mod support;
+
+use embedded_raster::raster::triangle;
+use libfuzzer_sys::fuzz_target;
+use support::{assert_runs, collect, corners, twins};
+
+fuzz_target!(|data: &[u8]| {
+    let mut input = input::Input(data);
+    let window = input.window();
+    let units = [(); 3].map(|()| (input.int(), input.int()));
+    let wanted = twins::triangle(units, window);
+    let filled = collect(window, |emit| triangle::fill(corners(units), window, emit));
+    assert_runs(window, &filled, &wanted, || format!("fill {units:?}"));
+    let walked = collect(window, |emit| triangle::walk(corners(units), window, emit));
+    assert_runs(window, &walked, &wanted, || format!("walk {units:?}"));
+});
