@@ -1,0 +1,15 @@
+//! One line at 16 bits.
+#![no_std]
+#![no_main]
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::Canvas;
+
+board::entry!(main);
+
+fn main() {
+    size::on_frame::<Rgb565>(|frame| {
+        let [a, b] = size::points();
+        frame.draw_line(a, b, size::color::<Rgb565>());
+    });
+}
