@@ -61,6 +61,36 @@ fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
     Ok(!refused)
 }
 
+/// The same on a chip: all calls as an image that is linked with nothing left out.
+pub fn panics(chip: Chip) -> Result<()> {
+    ensure!(!link_image(chip, "3", "true", true)?, "the probe links although it panics: it proves nothing");
+    for opt in ["3", "s"] {
+        for checks in ["true", "false"] {
+            let linked = link_image(chip, opt, checks, false)?;
+            ensure!(linked, "a panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
+            println!("no panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
+        }
+    }
+    Ok(())
+}
+
+/// Whether it links; any failure but the missing panic handler is an error.
+fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool> {
+    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
+    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
+    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
+    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
+    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
+    // Nobody calls the calls, and they are to be linked all the same. This also replaces the linker scripts of the firmware.
+    cargo.env("RUSTFLAGS", "-C link-arg=--no-gc-sections");
+    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let refused = text.contains("a_panic_can_be_reached");
+    ensure!(output.status.success() || refused, "the probe does not build:\n{text}");
+    Ok(!refused)
+}
+
 /// The target that the compiler builds for by itself.
 fn host() -> Result<String> {
     let output = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into())).arg("-vV").output()?;

@@ -18,6 +18,9 @@ pub enum Opt {
 }
 
 impl Opt {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Three, Self::Small];
+
     /// The profile of the firmware's workspace, which is also the folder it builds into.
     fn profile(self) -> &'static str {
         match self {
@@ -69,15 +72,23 @@ pub fn project() -> &'static Path {
 
 /// Builds a program and returns where its ELF is.
 pub fn build(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<PathBuf> {
-    let Program { package, bin } = program;
+    Ok(cargo_build(program.package, &["--bin", program.bin], chip, opt)?.join(program.bin))
+}
+
+/// Builds all programs of a package, with some of its features, and returns the folder of the ELFs.
+pub fn build_all(package: &str, features: &[&str], chip: Chip, opt: Opt) -> Result<PathBuf> {
+    cargo_build(package, &["--bins", "--features", &features.join(",")], chip, opt)
+}
+
+fn cargo_build(package: &str, what: &[&str], chip: Chip, opt: Opt) -> Result<PathBuf> {
     let target_dir = root().join("target");
     let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
-    cargo.args(["--quiet", "--package", package, "--bin", bin, "--profile", opt.profile()]);
+    cargo.args(["--quiet", "--package", package, "--profile", opt.profile()]).args(what);
     // Its folder matters: there is the configuration with the linker scripts.
     cargo.arg("--target-dir").arg(&target_dir).current_dir(root());
     let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
     if !status.success() {
-        bail!("{bin} does not build for {chip}: cargo ended with {status}");
+        bail!("{package} does not build for {chip}: cargo ended with {status}");
     }
-    Ok(target_dir.join(chip.target()).join(opt.profile()).join(bin))
+    Ok(target_dir.join(chip.target()).join(opt.profile()))
 }

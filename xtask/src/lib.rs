@@ -14,6 +14,7 @@ pub mod chip;
 pub mod emulator;
 pub mod firmware;
 pub mod size;
+pub mod symbols;
 pub mod table;
 pub mod toolchain;
 

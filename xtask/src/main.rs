@@ -6,7 +6,7 @@ use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::table::{self, Cell};
 use xtask::toolchain::Toolchain;
-use xtask::{checks, run, size, Chip, Opt, Program};
+use xtask::{checks, run, size, symbols, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -15,6 +15,10 @@ Checks:
         build the crate for the chips
     probe
         prove by the linker that no drawing call can panic: opt-level 3 and s, overflow checks on and off
+    panics [--target CHIP]...
+        the same on the chips
+    symbols [--target CHIP]...
+        fail when a firmware in size/ links what it does not use, or floats, at opt-level 3 and s
 
 The firmware on emulated chips. Counts are instructions, not cycles.
 
@@ -23,7 +27,7 @@ The firmware on emulated chips. Counts are instructions, not cycles.
     table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack]
         run `table` and print it as Markdown
     size [--target CHIP]... [--opt 3|s]
-        bytes of flash and RAM of the programs in size/, at `s` unless told
+        bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
 
 CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
@@ -48,6 +52,8 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("table") => print_tables(args),
         Some("size") => print_sizes(args),
         Some("cross") => cross(args),
+        Some("symbols") => check_symbols(args),
+        Some("panics") => check_panics(args),
         Some("probe") => {
             finish(args)?;
             checks::probe()
@@ -89,7 +95,7 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Small)?);
     finish(args)?;
     for chip in chips {
-        println!("{}: bytes\n\n{}", heading(chip, opt)?, size::markdown(chip, opt)?);
+        println!("{}: bytes beyond `empty`\n\n{}", heading(chip, opt)?, size::markdown(&size::features(chip, opt)?));
     }
     Ok(())
 }
@@ -102,6 +108,24 @@ fn cross(mut args: Arguments) -> Result<()> {
         println!("builds for {chip}");
     }
     Ok(())
+}
+
+fn check_symbols(mut args: Arguments) -> Result<()> {
+    let chips = chips(&mut args)?;
+    finish(args)?;
+    for chip in chips {
+        for opt in Opt::ALL {
+            symbols::check(chip, opt)?;
+            println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
+        }
+    }
+    Ok(())
+}
+
+fn check_panics(mut args: Arguments) -> Result<()> {
+    let chips = chips(&mut args)?;
+    finish(args)?;
+    chips.into_iter().try_for_each(checks::panics)
 }
 
 /// Everything that a number depends on.

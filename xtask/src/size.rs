@@ -1,16 +1,20 @@
-//! Flash and RAM of the programs in `size`, beyond an empty one.
+//! Flash, RAM and stack of the programs in `size`, beyond an empty one.
 
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use object::{Object, ObjectSection};
+use object::{Object, ObjectSection, ObjectSymbol};
 
-use crate::firmware::{self, Opt, Program};
-use crate::Chip;
+use crate::firmware::{self, Opt};
+use crate::{emulator, Chip};
 
+/// The package of the programs.
+pub(crate) const PACKAGE: &str = "size";
 /// The program that the others are compared with.
 const EMPTY: &str = "empty";
+/// How the names of the static framebuffers end: what a scene needs anyway.
+const FRAMEBUFFER: &str = "FRAMEBUFFER";
 
 /// Bytes of the sections that matter. The vector table and the places that the linker scripts keep
 /// for stack and heap are the same in every program.
@@ -24,6 +28,8 @@ pub struct Sections {
     pub data: u64,
     /// Variables without one, in RAM.
     pub bss: u64,
+    /// Those of them that are the framebuffer.
+    pub framebuffer: u64,
 }
 
 impl Sections {
@@ -34,6 +40,9 @@ impl Sections {
         let mut sum = Self::default();
         for section in file.sections() {
             sum.add(section.name()?, section.size());
+        }
+        for symbol in file.symbols().filter(|symbol| symbol.name().is_ok_and(|name| name.ends_with(FRAMEBUFFER))) {
+            sum.framebuffer += symbol.size();
         }
         Ok(sum)
     }
@@ -48,37 +57,67 @@ impl Sections {
         }
     }
 
-    /// What this program has beyond another; an optimiser may also take something away.
-    fn beyond(self, other: Self) -> [i64; 4] {
-        let fields = |s: Self| [s.text, s.rodata, s.data, s.bss];
+    /// Static RAM, the framebuffer included.
+    pub fn ram(self) -> u64 {
+        self.data + self.bss
+    }
+
+    /// Code, constants and static RAM that this program has beyond another; an optimiser may also take something away.
+    fn beyond(self, other: Self) -> [i64; 3] {
+        let fields = |s: Self| [s.text, s.rodata, s.ram() - s.framebuffer];
         let (mine, theirs) = (fields(self), fields(other));
         std::array::from_fn(|i| mine[i] as i64 - theirs[i] as i64)
     }
 }
 
+/// What one feature costs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Feature {
+    /// The program that uses it, and nothing else.
+    pub name: String,
+    /// Bytes of code beyond the empty program; of that one itself, all of it.
+    pub text: i64,
+    /// Bytes of constants, likewise.
+    pub rodata: i64,
+    /// Bytes of static RAM beside the framebuffer, likewise.
+    pub ram: i64,
+    /// Bytes of stack, painted.
+    pub stack: u32,
+}
+
+/// Measures all programs, the empty one first.
+pub fn features(chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
+    let names = programs()?;
+    // Both builds end in the same folder, so all of the first one is read before the second is made.
+    let folder = firmware::build_all(PACKAGE, &[], chip, opt)?;
+    let sections = names.iter().map(|name| Sections::of(&folder.join(name))).collect::<Result<Vec<_>>>()?;
+    let empty = Sections::of(&folder.join(EMPTY))?;
+    let folder = firmware::build_all(PACKAGE, &["stack"], chip, opt)?;
+    let measure = |(name, sections): (&String, Sections)| {
+        let [text, rodata, ram] = sections.beyond(if name == EMPTY { Sections::default() } else { empty });
+        Ok(Feature { name: name.clone(), text, rodata, ram, stack: stack(chip, &folder.join(name))? })
+    };
+    names.iter().zip(sections).map(measure).collect()
+}
+
+/// What the program prints when it is built to print its stack; the empty one prints nothing.
+fn stack(chip: Chip, elf: &Path) -> Result<u32> {
+    let output = emulator::run(chip, elf)?;
+    output.lines().next().map_or(Ok(0), |line| line.parse().with_context(|| format!("{}: {line}", elf.display())))
+}
+
 /// A Markdown table of all programs: the empty one as it is, the others beyond it.
-pub fn markdown(chip: Chip, opt: Opt) -> Result<String> {
-    let empty = measured(EMPTY, chip, opt)?;
-    let mut text = String::from("| program | .text | .rodata | .data | .bss |\n");
-    text += "|---|---:|---:|---:|---:|\n";
-    text += &line(EMPTY, empty.beyond(Sections::default()));
-    for bin in programs()?.iter().filter(|bin| *bin != EMPTY) {
-        text += &line(&format!("{bin}, beyond {EMPTY}"), measured(bin, chip, opt)?.beyond(empty));
+pub fn markdown(features: &[Feature]) -> String {
+    let mut text = String::from("| program | .text | .rodata | static RAM | stack |\n|---|---:|---:|---:|---:|\n");
+    for Feature { name, text: code, rodata, ram, stack } in features {
+        text += &format!("| {name} | {code} | {rodata} | {ram} | {stack} |\n");
     }
-    Ok(text)
+    text
 }
 
-fn line(name: &str, [text, rodata, data, bss]: [i64; 4]) -> String {
-    format!("| {name} | {text} | {rodata} | {data} | {bss} |\n")
-}
-
-fn measured(bin: &str, chip: Chip, opt: Opt) -> Result<Sections> {
-    Sections::of(&firmware::build(&Program { package: "size", bin }, chip, opt)?)
-}
-
-/// Names of all programs, sorted: each is a file in the package's `bin` folder.
-fn programs() -> Result<Vec<String>> {
-    let folder = firmware::root().join("size/src/bin");
+/// Names of all programs, the empty one first: each is a file in the package's `bin` folder.
+pub(crate) fn programs() -> Result<Vec<String>> {
+    let folder = firmware::root().join(PACKAGE).join("src/bin");
     let entries = fs::read_dir(&folder).with_context(|| format!("reading {}", folder.display()))?;
     let mut names = Vec::new();
     for entry in entries {
@@ -87,7 +126,7 @@ fn programs() -> Result<Vec<String>> {
             names.push(name.to_string_lossy().into_owned());
         }
     }
-    names.sort();
+    names.sort_by_key(|name| (name != EMPTY, name.clone()));
     Ok(names)
 }
 
@@ -102,11 +141,13 @@ mod tests {
             sum.add(name, size);
         }
         assert_eq!(sum, Sections { text: 10, bss: 5, ..Sections::default() });
-        assert_eq!(Sections::default().beyond(sum), [-10, 0, 0, -5]);
+        assert_eq!(Sections::default().beyond(sum), [-10, 0, -5]);
+        sum.framebuffer = 3;
+        assert_eq!(sum.beyond(Sections::default()), [10, 0, 2], "the framebuffer is not the feature's");
     }
 
     #[test]
-    fn the_empty_program_is_there() {
-        assert!(programs().expect("the folder").contains(&EMPTY.to_owned()), "{EMPTY}.rs");
+    fn the_empty_program_is_the_first() {
+        assert_eq!(programs().expect("the folder")[0], EMPTY);
     }
 }

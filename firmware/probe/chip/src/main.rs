@@ -1,0 +1,25 @@
+//! The drawing calls of the probe as an image for a chip: it links only if nothing can panic. It is never run, so it has no
+//! start; the linker is told to keep the calls.
+#![no_std]
+#![no_main]
+#![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
+#![allow(improper_ctypes_definitions)] // nobody calls them
+
+#[cfg(not(feature = "panics"))]
+#[path = "../../src/calls.rs"]
+mod calls;
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    extern "C" {
+        fn a_panic_can_be_reached() -> !;
+    }
+    unsafe { a_panic_can_be_reached() }
+}
+
+/// What the proof must refuse.
+#[cfg(feature = "panics")]
+#[no_mangle]
+pub extern "C" fn panics(bytes: &[u8; 8], at: usize) -> u8 {
+    bytes[at]
+}
