@@ -1,0 +1,89 @@
+//! What drawing costs: instructions, counted by callgrind, and time.
+//!
+//! The lab counts by running itself: `valgrind --tool=callgrind --toggle-collect='*measured*' lab --child ...` draws one
+//! workload with one engine, and only what happens inside of [`measured`] is counted.
+
+use std::{
+    hint::black_box,
+    path::PathBuf,
+    process::{Command, Stdio},
+    time::{Duration, Instant},
+};
+
+use anyhow::{ensure, Context, Result};
+
+use crate::engine::Engine;
+
+/// The function between whose entry and exit callgrind counts.
+#[inline(never)]
+pub(crate) fn measured<S>(engine: &mut dyn Engine<S>, shapes: &[S]) {
+    engine.draw(black_box(shapes));
+}
+
+/// Nanoseconds to draw the shapes once: the median of several runs, each long enough for the clock.
+pub(crate) fn nanoseconds<S>(engine: &mut dyn Engine<S>, shapes: &[S], quick: bool) -> f64 {
+    let (runs, shortest) = if quick { (3, Duration::from_micros(100)) } else { (9, Duration::from_millis(4)) };
+    let once = |engine: &mut dyn Engine<S>, times: u32| {
+        let start = Instant::now();
+        (0..times).for_each(|_| measured(engine, shapes));
+        start.elapsed()
+    };
+    let warm = once(engine, 1).max(Duration::from_nanos(100));
+    let times = (shortest.as_nanos() / warm.as_nanos() + 1) as u32;
+    let mut samples: Vec<_> = (0..runs).map(|_| once(engine, times).as_nanos() as f64 / f64::from(times)).collect();
+    samples.sort_unstable_by(f64::total_cmp);
+    samples[samples.len() / 2]
+}
+
+/// Callgrind, if it is there.
+pub(crate) struct Counter {
+    program: PathBuf,
+    output: PathBuf,
+    quick: bool,
+    pub(crate) version: String,
+}
+
+impl Counter {
+    /// `None`, and a hint, without valgrind.
+    pub(crate) fn find(quick: bool) -> Option<Self> {
+        let version = Command::new("valgrind").arg("--version").output().ok().filter(|run| run.status.success());
+        let Some(version) = version else {
+            eprintln!("valgrind is missing: time only. To count instructions: apt-get install valgrind");
+            return None;
+        };
+        let output = std::env::temp_dir().join(format!("embedded-raster-lab-{}.callgrind", std::process::id()));
+        let version = String::from_utf8_lossy(&version.stdout).trim().to_owned();
+        Some(Self { program: std::env::current_exe().ok()?, output, quick, version })
+    }
+
+    /// Instructions of one engine on one workload, both named by `child`.
+    pub(crate) fn instructions(&self, child: &str) -> Result<u64> {
+        let mut command = Command::new("valgrind");
+        command.args(["--tool=callgrind", "--toggle-collect=*measured*"]);
+        command.arg(format!("--callgrind-out-file={}", self.output.display()));
+        command.arg(&self.program).args(["--child", child]).args(self.quick.then_some("--quick"));
+        let run = command.stdin(Stdio::null()).output().context("running valgrind")?;
+        ensure!(run.status.success(), "callgrind of {child}: {}", String::from_utf8_lossy(&run.stderr));
+        let counts = std::fs::read_to_string(&self.output).context("reading what callgrind wrote")?;
+        let _ = std::fs::remove_file(&self.output);
+        total(&counts).with_context(|| format!("no total in what callgrind wrote for {child}"))
+    }
+}
+
+/// The instructions in the file that callgrind writes.
+fn total(counts: &str) -> Option<u64> {
+    let line = counts.lines().find_map(|line| line.strip_prefix("totals: ").or(line.strip_prefix("summary: ")))?;
+    line.split_whitespace().next()?.parse().ok().filter(|&count| count > 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn totals_are_found() {
+        assert_eq!(total("events: Ir\nfn=(1) x\n3 4\ntotals: 1234\n"), Some(1234));
+        assert_eq!(total("summary: 56 7\n"), Some(56));
+        assert_eq!(total("totals: 0\n"), None, "nothing was collected: the function was not found");
+    }
+}

@@ -1,0 +1,95 @@
+//! Engines: ways to draw a list of shapes, each on a screen of its own.
+
+pub(crate) mod lines;
+pub(crate) mod peers;
+pub(crate) mod polygons;
+pub(crate) mod triangles;
+
+use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
+use embedded_raster::{buffer_bytes, Framebuffer};
+
+use crate::frame::{Frame, Mask, HEIGHT, INK, WIDTH};
+
+/// Draws shapes of type `S`.
+pub(crate) trait Engine<S> {
+    fn draw(&mut self, shapes: &[S]);
+    fn clear(&mut self);
+    fn painted(&self) -> Mask;
+}
+
+/// Where an engine comes from: the colour of its mark in the plots.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    Textbook,
+    Crate,
+    Peer,
+}
+
+/// A row of the tables.
+pub(crate) struct Entry<S> {
+    /// Names the row on the command line of a child.
+    pub(crate) key: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) origin: Origin,
+    /// Whether it can draw shapes whose corners lie far off the screen.
+    pub(crate) goes_far: bool,
+    pub(crate) engine: Box<dyn Engine<S>>,
+}
+
+fn entry<S>(key: &'static str, name: &'static str, origin: Origin, engine: impl Engine<S> + 'static) -> Entry<S> {
+    Entry { key, name, origin, goes_far: true, engine: Box::new(engine) }
+}
+
+/// An algorithm on the plain [`Frame`].
+struct Plain<F> {
+    frame: Frame,
+    shape: F,
+}
+
+fn plain<S>(shape: impl FnMut(&mut Frame, &S)) -> Plain<impl FnMut(&mut Frame, &S)> {
+    Plain { frame: Frame::new(), shape }
+}
+
+impl<S, F: FnMut(&mut Frame, &S)> Engine<S> for Plain<F> {
+    fn draw(&mut self, shapes: &[S]) {
+        shapes.iter().for_each(|shape| (self.shape)(&mut self.frame, shape));
+    }
+
+    fn clear(&mut self) {
+        self.frame.clear();
+    }
+
+    fn painted(&self) -> Mask {
+        self.frame.painted()
+    }
+}
+
+/// This crate as people use it: a `Canvas` on a `Framebuffer`.
+struct Own<F> {
+    memory: Vec<u8>,
+    shape: F,
+}
+
+fn own<S>(shape: impl FnMut(&mut Framebuffer<'_, Rgb565>, &S)) -> Own<impl FnMut(&mut Framebuffer<'_, Rgb565>, &S)> {
+    Own { memory: vec![0; buffer_bytes::<Rgb565>(WIDTH as u16, HEIGHT as u16)], shape }
+}
+
+impl<S, F: FnMut(&mut Framebuffer<'_, Rgb565>, &S)> Engine<S> for Own<F> {
+    fn draw(&mut self, shapes: &[S]) {
+        let frame = Framebuffer::new(&mut self.memory, WIDTH as u16, HEIGHT as u16);
+        let mut frame = frame.expect("the memory was made for this size");
+        shapes.iter().for_each(|shape| (self.shape)(&mut frame, shape));
+    }
+
+    fn clear(&mut self) {
+        self.memory.fill(0);
+    }
+
+    fn painted(&self) -> Mask {
+        Mask::from_pixels(self.memory.chunks_exact(2).map(|bytes| bytes != [0, 0]))
+    }
+}
+
+fn ink() -> Rgb565 {
+    RawU16::new(INK).into()
+}

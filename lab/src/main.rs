@@ -1,0 +1,169 @@
+//! The lab: speed against error, for every algorithm that has a choice, beside the peers.
+//!
+//! `cargo run --release -p lab` writes `docs/speed-and-error.md` and its plots; `--help` tells the rest.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    clippy::float_cmp,
+    reason = "floats are what is studied here, and statistics are floats"
+)]
+
+mod bench;
+mod cost;
+mod engine;
+mod frame;
+mod judge;
+mod oracle;
+mod plot;
+mod report;
+mod rng;
+mod shape;
+mod workload;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{bail, Context, Result};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::{
+    bench::{Family, Results},
+    cost::Counter,
+    report::{Covers, Report},
+    shape::{Line, Polygon, Triangle},
+};
+
+const HELP: &str = "\
+Measures speed against error and writes speed-and-error.md and plots into docs/.
+
+cargo run --release -p lab -- [OPTIONS]
+  --quick       few shapes, no plots, into a temporary folder: for continuous integration
+  --plots       plots in a quick run too
+  --out FOLDER  where to write
+  --time-only   no callgrind
+";
+
+struct Options {
+    quick: bool,
+    plots: bool,
+    count: bool,
+    out: Option<PathBuf>,
+    /// Draw one workload with one engine, for callgrind to count: `family/engine/workload`.
+    child: Option<String>,
+}
+
+fn options() -> Result<Options> {
+    use lexopt::prelude::*;
+    let mut options = Options { quick: false, plots: false, count: true, out: None, child: None };
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Long("quick") => options.quick = true,
+            Long("plots") => options.plots = true,
+            Long("time-only") => options.count = false,
+            Long("out") => options.out = Some(parser.value()?.into()),
+            Long("child") => options.child = Some(parser.value()?.string()?),
+            Long("help") | Short('h') => {
+                print!("{HELP}");
+                std::process::exit(0);
+            }
+            _ => return Err(argument.unexpected().into()),
+        }
+    }
+    Ok(options)
+}
+
+fn lines(quick: bool) -> Family<Line> {
+    Family { key: "lines", title: "Lines", entries: engine::lines::entries(), workloads: workload::lines(quick) }
+}
+
+fn triangles(quick: bool) -> Family<Triangle> {
+    let (entries, workloads) = (engine::triangles::entries(), workload::triangles(quick));
+    Family { key: "triangles", title: "Triangles", entries, workloads }
+}
+
+fn polygons(quick: bool) -> Family<Polygon> {
+    let (entries, workloads) = (engine::polygons::entries(), workload::polygons(quick));
+    Family { key: "polygons", title: "Polygons", entries, workloads }
+}
+
+/// Draws what callgrind is to count.
+fn child(name: &str, quick: bool) -> Result<()> {
+    let known = match name.split('/').next() {
+        Some("lines") => lines(quick).child(name),
+        Some("triangles") => triangles(quick).child(name),
+        Some("polygons") => polygons(quick).child(name),
+        _ => false,
+    };
+    if !known {
+        bail!("no engine and workload of the name {name}");
+    }
+    Ok(())
+}
+
+/// All triangle engines on all meshes.
+fn covers(quick: bool, bar: &ProgressBar) -> Covers {
+    let meshes = workload::meshes(quick);
+    let mut rows = Vec::new();
+    for mut entry in engine::triangles::entries() {
+        let mut cells = Vec::new();
+        for mesh in &meshes {
+            bar.set_message(format!("Meshes: {}, {}", entry.name, mesh.name));
+            let goes = entry.goes_far || !mesh.far;
+            cells.push(goes.then(|| judge::cover(entry.engine.as_mut(), mesh)));
+            bar.inc(1);
+        }
+        rows.push((entry.name, cells));
+    }
+    Covers { meshes: meshes.iter().map(|m| m.name).collect(), rows }
+}
+
+fn measure(options: &Options) -> Result<Report> {
+    let quick = options.quick;
+    let counter = if options.count { Counter::find(quick) } else { None };
+    let (lines, triangles, polygons) = (lines(quick), triangles(quick), polygons(quick));
+    let meshes = (triangles.entries.len() * workload::meshes(true).len()) as u64;
+    let bar = ProgressBar::new(lines.steps() + triangles.steps() + polygons.steps() + meshes);
+    bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} {msg}")?);
+    let report = Report {
+        lines: lines.run(counter.as_ref(), quick, &bar)?,
+        triangles: triangles.run(counter.as_ref(), quick, &bar)?,
+        covers: covers(quick, &bar),
+        polygons: polygons.run(counter.as_ref(), quick, &bar)?,
+        valgrind: counter.map(|c| c.version),
+        quick,
+    };
+    bar.finish_and_clear();
+    Ok(report)
+}
+
+fn write(report: &Report, folder: &Path, plots: bool) -> Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("making {}", folder.display()))?;
+    let page = folder.join("speed-and-error.md");
+    std::fs::write(&page, report.markdown(plots)).with_context(|| format!("writing {}", page.display()))?;
+    println!("{}", page.display());
+    if plots {
+        let plot = |results: &Results| {
+            let file = folder.join(format!("speed-and-error-{}.svg", results.key));
+            println!("{}", file.display());
+            plot::draw(results, &file)
+        };
+        [&report.lines, &report.triangles, &report.polygons].into_iter().try_for_each(plot)?;
+    }
+    Ok(())
+}
+
+fn main() -> Result<()> {
+    let options = options()?;
+    if let Some(name) = &options.child {
+        return child(name, options.quick);
+    }
+    let report = measure(&options)?;
+    let folder = match &options.out {
+        Some(folder) => folder.clone(),
+        None if options.quick => std::env::temp_dir().join("embedded-raster-lab"),
+        None => Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs"),
+    };
+    write(&report, &folder, options.plots || !options.quick)
+}

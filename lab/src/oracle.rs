@@ -1,0 +1,202 @@
+//! The truth: which pixels a shape has, by the rules of the crate's documentation, word for word, in integers so wide that
+//! nothing can overflow or be rounded. Slow on purpose; it shares no arithmetic with what is measured.
+
+use embedded_raster::Rect;
+
+use crate::shape::{Units, BITS};
+
+/// The centre of a pixel in units.
+fn centre(pixel: i32) -> i128 {
+    (i128::from(pixel) << BITS) + (1 << (BITS - 1))
+}
+
+/// A line from one pixel to another.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct TrueLine {
+    a: (i128, i128),
+    /// Along the longer axis, along the other.
+    major: i128,
+    minor: i128,
+    steep: bool,
+}
+
+impl TrueLine {
+    pub(crate) fn new(a: (i32, i32), b: (i32, i32)) -> Self {
+        let (dx, dy) = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+        let steep = dy.abs() > dx.abs();
+        let (major, minor) = if steep { (dy, dx) } else { (dx, dy) };
+        Self { a: (a.0.into(), a.1.into()), major, minor, steep }
+    }
+
+    /// Steps along the major axis from the first end, and pixels along the minor axis from there.
+    fn offsets(self, x: i32, y: i32) -> (i128, i128) {
+        let (x, y) = (i128::from(x) - self.a.0, i128::from(y) - self.a.1);
+        let (along, aside) = if self.steep { (y, x) } else { (x, y) };
+        (if self.major < 0 { -along } else { along }, if self.minor < 0 { -aside } else { aside })
+    }
+
+    /// How far a pixel's centre is from the line along the minor axis, times the length of the line: `|m da - k db|`.
+    fn distance_times_length(self, x: i32, y: i32) -> i128 {
+        let (k, m) = self.offsets(x, y);
+        (m * self.major.abs() - k * self.minor.abs()).abs()
+    }
+
+    /// How far a pixel's centre is from the line along the minor axis, in pixels.
+    pub(crate) fn distance(self, x: i32, y: i32) -> f64 {
+        self.distance_times_length(x, y) as f64 / self.major.abs().max(1) as f64
+    }
+
+    /// Is it between the ends and no further from the line than its neighbour on the other side? At a tie both are.
+    pub(crate) fn is_nearest(self, x: i32, y: i32) -> bool {
+        let (k, _) = self.offsets(x, y);
+        0 <= k && k <= self.major.abs() && 2 * self.distance_times_length(x, y) <= self.major.abs()
+    }
+
+    /// The pixels that the rule chooses, `m(k) = floor((2 k db + da) / (2 da))`, those in the window only.
+    pub(crate) fn pixels(self, window: Rect) -> Vec<(i32, i32)> {
+        let (low, high) = if self.steep { (window.y0, window.y1) } else { (window.x0, window.x1) };
+        (low..high).filter_map(|along| self.chosen(along)).filter(|&(x, y)| window.contains(x, y)).collect()
+    }
+
+    /// The pixel of a column (or row, if it is steep).
+    fn chosen(self, along: i32) -> Option<(i32, i32)> {
+        let (k, _) = self.offsets(along, along);
+        let (da, db) = (self.major.abs(), self.minor.abs());
+        let m = if da == 0 { 0 } else { (2 * k * db + da).div_euclid(2 * da) };
+        let from = if self.steep { self.a.0 } else { self.a.1 };
+        let aside = i32::try_from(if self.minor < 0 { from - m } else { from + m }).ok()?;
+        let pixel = if self.steep { (aside, along) } else { (along, aside) };
+        (0 <= k && k <= da).then_some(pixel)
+    }
+
+    /// The pixel in the same column (or row, if it is steep) one step aside.
+    pub(crate) fn beside(self, (x, y): (i32, i32), step: i32) -> (i32, i32) {
+        if self.steep {
+            (x + step, y)
+        } else {
+            (x, y + step)
+        }
+    }
+}
+
+/// Positive on the inner side of the side from a to b of a triangle with positive area.
+fn edge_function(a: Units, b: Units, (px, py): (i128, i128)) -> i128 {
+    let (ax, ay, bx, by) = (i128::from(a.0), i128::from(a.1), i128::from(b.0), i128::from(b.1));
+    (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+}
+
+/// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)?
+pub(crate) fn triangle_has([a, b, c]: [Units; 3], x: i32, y: i32) -> bool {
+    let (b, c) = match edge_function(a, b, (c.0.into(), c.1.into())) {
+        0 => return false,
+        area if area < 0 => (c, b),
+        _ => (b, c),
+    };
+    let inside = |from: Units, to: Units| match edge_function(from, to, (centre(x), centre(y))) {
+        0 => to.1 < from.1 || (to.1 == from.1 && to.0 > from.0),
+        e => e > 0,
+    };
+    inside(a, b) && inside(b, c) && inside(c, a)
+}
+
+/// The sides of a closed outline that cross row y, `y0 <= cy < y1`, each from its upper to its lower end.
+pub(crate) fn sides_on_row(outline: &[Units], y: i32) -> Vec<(Units, Units)> {
+    let next = outline.iter().cycle().skip(1);
+    let downwards = |(&a, &b): (&Units, &Units)| if a.1 <= b.1 { (a, b) } else { (b, a) };
+    let crosses = |&(a, b): &(Units, Units)| i128::from(a.1) <= centre(y) && centre(y) < i128::from(b.1);
+    outline.iter().zip(next).map(downwards).filter(crosses).collect()
+}
+
+/// Is the centre of pixel x inside by the even-odd rule: is the number of sides at or left of it odd?
+pub(crate) fn polygon_has(sides_on_row: &[(Units, Units)], x: i32, y: i32) -> bool {
+    // On the right side of a side that goes down, or on it, the edge function is not positive.
+    let left = |&&(a, b): &&(Units, Units)| edge_function(a, b, (centre(x), centre(y))) <= 0;
+    sides_on_row.iter().filter(left).count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whole pixels to units.
+    fn px((x, y): (i64, i64)) -> Units {
+        (x << BITS, y << BITS)
+    }
+
+    fn picture(width: i32, height: i32, has: impl Fn(i32, i32) -> bool) -> Vec<String> {
+        let row = |y| (0..width).map(|x| if has(x, y) { '#' } else { '.' }).collect();
+        (0..height).map(row).collect()
+    }
+
+    #[test]
+    fn the_worked_line() {
+        let line = TrueLine::new((20, 41), (30, 44));
+        let rows = [41, 41, 42, 42, 42, 43, 43, 43, 43, 44, 44];
+        let wanted: Vec<_> = (20..).zip(rows).collect();
+        assert_eq!(line.pixels(Rect::new(0, 0, 99, 99)), wanted);
+        assert!(wanted.iter().all(|&(x, y)| line.is_nearest(x, y)), "a chosen pixel is a nearest one");
+        // Half a pixel from both at step 5: a tie.
+        assert!(line.is_nearest(25, 42) && line.is_nearest(25, 43), "a tie has two nearest pixels");
+        assert!((line.distance(25, 42) - 0.5).abs() < 1e-12, "and both are half a pixel away");
+        assert!(!line.is_nearest(19, 41) && !line.is_nearest(31, 44), "nothing beyond the ends");
+        assert_eq!(line.pixels(Rect::new(0, 0, 99, 42)), wanted[..2], "nor beyond the window");
+    }
+
+    #[test]
+    fn lines_in_all_directions_have_one_pixel_a_step() {
+        for (dx, dy) in [(9, 4), (4, 9), (-9, 4), (-4, 9), (9, -4), (4, -9), (-9, -4), (-4, -9), (7, 7), (0, 5), (5, 0)] {
+            let (a, b) = ((20, 20), (20 + dx, 20 + dy));
+            let line = TrueLine::new(a, b);
+            let pixels = line.pixels(Rect::new(0, 0, 40, 40));
+            assert_eq!(pixels.len() as i32, dx.abs().max(dy.abs()) + 1, "({dx}, {dy})");
+            assert!(pixels.contains(&a) && pixels.contains(&b), "both ends of ({dx}, {dy})");
+            assert!(pixels.iter().all(|&(x, y)| line.is_nearest(x, y)), "({dx}, {dy})");
+        }
+    }
+
+    #[test]
+    fn centres_on_the_slope_are_out() {
+        let corners = [(0, 0), (4, 0), (0, 4)].map(px);
+        let wanted = ["###..", "##...", "#....", "....."];
+        assert_eq!(picture(5, 4, |x, y| triangle_has(corners, x, y)), wanted);
+        let [a, b, c] = corners;
+        assert_eq!(picture(5, 4, |x, y| triangle_has([a, c, b], x, y)), wanted, "in either winding");
+    }
+
+    #[test]
+    fn two_triangles_share_their_edge() {
+        let [a, b, c, d] = [(0, 0), (4, 0), (4, 4), (0, 4)].map(px);
+        for y in 0..5 {
+            for x in 0..5 {
+                let hits = [[a, b, c], [c, d, a]].iter().filter(|t| triangle_has(**t, x, y)).count();
+                assert_eq!(hits == 1, x < 4 && y < 4, "({x}, {y})");
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_of_three_is_a_triangle() {
+        for [a, b, c] in [[(1, 1), (7, 2), (3, 6)], [(0, 0), (8, 0), (0, 8)], [(2, 7), (6, 1), (5, 7)]] {
+            let corners = [a, b, c].map(px);
+            for y in 0..9 {
+                let sides = sides_on_row(&corners, y);
+                for x in 0..9 {
+                    assert_eq!(polygon_has(&sides, x, y), triangle_has(corners, x, y), "({x}, {y})");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_that_crosses_itself_has_holes() {
+        let bow = [(0, 0), (6, 6), (6, 0), (0, 6)].map(px);
+        let wanted = ["#....#", "##..##", "######", "######", "##..##", "#....#"];
+        let inside = |x, y| polygon_has(&sides_on_row(&bow, y), x, y);
+        let rows = picture(6, 6, inside);
+        // Centres on the diagonals belong to the left sides only.
+        assert_eq!(rows[3].len(), wanted[3].len());
+        for (row, wanted) in rows.iter().zip(wanted) {
+            assert!(row.starts_with(&wanted[..1]), "{row} for {wanted}");
+        }
+    }
+}

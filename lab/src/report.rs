@@ -1,0 +1,226 @@
+//! The report: tables in Markdown, to be read as they are and quoted elsewhere.
+
+use std::{fmt::Write, process::Command};
+
+use crate::{
+    bench::{Cell, Results},
+    judge::{per_million, Cover, Verdict},
+};
+
+/// Gaps and double hits: a row an engine, a column a mesh.
+pub(crate) struct Covers {
+    pub(crate) meshes: Vec<&'static str>,
+    pub(crate) rows: Vec<(&'static str, Vec<Option<Cover>>)>,
+}
+
+/// Everything that was measured.
+pub(crate) struct Report {
+    pub(crate) lines: Results,
+    pub(crate) triangles: Results,
+    pub(crate) covers: Covers,
+    pub(crate) polygons: Results,
+    pub(crate) valgrind: Option<String>,
+    pub(crate) quick: bool,
+}
+
+/// Three digits, as many as mean something.
+pub(crate) fn digits(value: f64) -> String {
+    match value {
+        v if v == 0.0 => "0".into(),
+        v if v < 0.001 => format!("{v:.1e}"),
+        v if v < 0.0995 => format!("{v:.3}"),
+        v if v < 9.95 => format!("{v:.2}"),
+        v if v < 99.5 => format!("{v:.1}"),
+        v => thousands(v.round() as u64),
+    }
+}
+
+/// 1234567 as 1,234,567.
+fn thousands(value: u64) -> String {
+    let digits = value.to_string();
+    let groups: Vec<_> = digits.as_bytes().rchunks(3).rev().map(|g| String::from_utf8_lossy(g).into_owned()).collect();
+    groups.join(",")
+}
+
+/// A table: names of the columns, then of each row with its cells. Columns are padded, so that the text reads well too.
+fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String {
+    let mut lines: Vec<Vec<String>> = vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
+    lines.extend(rows.iter().map(|(name, cells)| std::iter::once((*name).to_owned()).chain(cells.clone()).collect()));
+    let widths: Vec<_> =
+        (0..=columns.len()).map(|i| lines.iter().map(|l| l[i].chars().count()).max().unwrap_or_default()).collect();
+    let mut text = String::new();
+    for (i, line) in lines.iter().enumerate() {
+        for (j, (cell, &width)) in line.iter().zip(&widths).enumerate() {
+            let padded = if j == 0 { format!("| {cell:<width$} ") } else { format!("| {cell:>width$} ") };
+            text.push_str(&padded);
+        }
+        text.push_str("|\n");
+        if i == 0 {
+            let rule = |(j, &w): (usize, &usize)| if j == 0 { "-".repeat(w + 2) } else { "-".repeat(w + 1) + ":" };
+            let _ = writeln!(text, "|{}|", widths.iter().enumerate().map(rule).collect::<Vec<_>>().join("|"));
+        }
+    }
+    text
+}
+
+/// A table of a family with one thing in each cell.
+fn family(results: &Results, show: impl Fn(&Cell) -> String) -> String {
+    let cells = |row: &crate::bench::Row| row.cells.iter().map(|c| c.as_ref().map_or("-".into(), &show)).collect();
+    let rows: Vec<_> = results.rows.iter().map(|row| (row.name, cells(row))).collect();
+    table(results.title, &results.workloads, &rows)
+}
+
+fn per_pixel(cell: &Cell) -> String {
+    let time = format!("{:.2} ns", cell.nanoseconds_per_pixel());
+    cell.instructions_per_pixel().map_or(time.clone(), |n| format!("{} ({time})", digits(n)))
+}
+
+fn per_shape(cell: &Cell) -> String {
+    cell.instructions_per_shape().map_or("-".into(), digits)
+}
+
+fn wrong_and_distance(v: Verdict) -> String {
+    format!("{}; {:.3}", digits(v.wrong_per_million()), v.worst)
+}
+
+fn wrong_and_as_given(v: Verdict) -> String {
+    format!("{}; {}", digits(v.wrong_per_million()), digits(per_million(v.wrong_as_given, v.pixels)))
+}
+
+impl Covers {
+    fn table(&self) -> String {
+        let cell = |c: &Option<Cover>| match c {
+            Some(c) => format!("{}; {}", digits(per_million(c.gaps, c.pixels)), digits(per_million(c.doubles, c.pixels))),
+            None => "-".into(),
+        };
+        let rows: Vec<_> = self.rows.iter().map(|(name, cells)| (*name, cells.iter().map(cell).collect())).collect();
+        table("Meshes", &self.meshes, &rows)
+    }
+}
+
+/// The first line that a command prints.
+fn first_line(program: &str, arguments: &[&str]) -> Option<String> {
+    let run = Command::new(program).args(arguments).output().ok().filter(|run| run.status.success())?;
+    String::from_utf8_lossy(&run.stdout).lines().next().map(|line| line.trim().to_owned())
+}
+
+/// The commit, and whether the sources differ from it.
+fn commit() -> String {
+    let Some(commit) = first_line("git", &["rev-parse", "--short=10", "HEAD"]) else { return "not in git".into() };
+    let clean = Command::new("git").args(["diff", "--quiet", "HEAD", "--", "src", "lab"]).status();
+    format!("{commit}{}", if clean.is_ok_and(|s| s.success()) { "" } else { " with changes" })
+}
+
+/// The processor, where Linux says it: times mean something on it only.
+fn processor() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, name)| name));
+    format!("{}, {}", std::env::consts::ARCH, name.unwrap_or("unknown processor"))
+}
+
+impl Report {
+    pub(crate) fn markdown(&self, plots: bool) -> String {
+        let mut text = self.header();
+        text.push_str(&self.lines_part(plots));
+        text.push_str(&self.triangles_part(plots));
+        text.push_str(&self.polygons_part(plots));
+        text.push_str(NOTES);
+        text
+    }
+
+    fn header(&self) -> String {
+        let counted = self.valgrind.as_deref().unwrap_or("no valgrind: time only");
+        let rustc = first_line("rustc", &["--version"]).unwrap_or_else(|| "unknown rustc".into());
+        let quick = if self.quick { " -- --quick" } else { "" };
+        format!(
+            "# Speed against error\n\n\
+             Every algorithm that has a choice, beside the peers, in one run. Written by `cargo run --release -p lab{quick}`: \
+             not to be edited.\n\n\
+             - commit {}; {rustc}, opt-level 3\n- peers: embedded-graphics 0.8, tiny-skia 0.11\n\
+             - instructions: {counted}; time: {}\n\n\
+             {INTRODUCTION}\n",
+            commit(),
+            processor(),
+        )
+    }
+
+    fn lines_part(&self, plots: bool) -> String {
+        format!(
+            "## Lines\n\n{}Instructions per pixel (time per pixel):\n\n{}\n\
+             Pixels that are not the nearest, per million; largest distance of a painted pixel from the line, in pixels, along \
+             the shorter axis (0.5 is the best there is):\n\n{}\n",
+            picture(&self.lines, plots),
+            family(&self.lines, per_pixel),
+            family(&self.lines, |c| wrong_and_distance(c.verdict)),
+        )
+    }
+
+    fn triangles_part(&self, plots: bool) -> String {
+        format!(
+            "## Triangles\n\n{}Instructions per pixel (time per pixel):\n\n{}\n\
+             Instructions per triangle:\n\n{}\n\
+             Wrong pixels per million against the true triangle; against the triangle as the engine was given it, after \
+             snapping:\n\n{}\n\
+             How far snapping moves a corner at most, in pixels, which bounds the distance between the two shapes:\n\n{}\n\
+             Shared sides: pixels per million of the screen that no triangle of a mesh paints; that more than one paints:\n\n{}\n",
+            picture(&self.triangles, plots),
+            family(&self.triangles, per_pixel),
+            family(&self.triangles, per_shape),
+            family(&self.triangles, |c| wrong_and_as_given(c.verdict)),
+            family(&self.triangles, |c| digits(c.verdict.worst)),
+            self.covers.table(),
+        )
+    }
+
+    fn polygons_part(&self, plots: bool) -> String {
+        format!(
+            "## Polygons\n\n{}Instructions per pixel (time per pixel):\n\n{}\n\
+             Wrong pixels per million:\n\n{}\n",
+            picture(&self.polygons, plots),
+            family(&self.polygons, per_pixel),
+            family(&self.polygons, |c| digits(c.verdict.wrong_per_million())),
+        )
+    }
+}
+
+fn picture(results: &Results, plots: bool) -> String {
+    if plots {
+        format!("![{}: error against cost](speed-and-error-{}.svg)\n\n", results.title, results.key)
+    } else {
+        String::new()
+    }
+}
+
+const INTRODUCTION: &str = "\
+Everything is drawn on 320 x 240 pixels: RGB565, tiny-skia on its own 32-bit pixmap. The textbook algorithms and the rows \
+that name a function of `raster` paint into a plain `Vec<u16>`; `Canvas` rows paint into this crate's `Framebuffer`. Cost is \
+that of drawing: shapes are converted and paths are built beforehand. Pixels are those that the true shape has on the \
+screen. Error is judged against 128-bit integers (`lab/src/oracle.rs`); random shapes, the same in every run.\n";
+
+const NOTES: &str = "\
+## Notes\n\n\
+- *Tested*: the whole line is walked and each pixel is tested. *Moved*: the ends are first moved to the border of the screen \
+(Cohen and Sutherland) and rounded to pixels, which draws another line. At a tie both pixels count as nearest.\n\
+- True triangles have 15 sub-pixel bits, all of them exact in `f32` on the screen. embedded-graphics joins pixels, so its \
+corners are the centres of the pixels that contain the true ones, and it paints the outline too.\n\
+- Polygons are filled by the even-odd rule, with the same vertices, in 1/256 pixel, for every engine.\n\
+- *100 x off-screen*: corners up to 31,000 pixels away. embedded-graphics would visit every pixel of such a triangle, on the \
+screen or not: it sits them out. It has no polygons.\n\
+- To count without the lab: `valgrind --tool=callgrind --toggle-collect='*measured*' target/release/lab --child lines/canvas/1`.\n";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_what_means_something() {
+        let shown: Vec<_> = [0.0, 0.000_12, 0.05, 1.234, 12.34, 123.4, 1_234_567.0].map(digits).into();
+        assert_eq!(shown, ["0", "1.2e-4", "0.050", "1.23", "12.3", "123", "1,234,567"]);
+    }
+
+    #[test]
+    fn tables_are_markdown() {
+        let text = table("a", &["b"], &[("long name", vec!["1".into()])]);
+        assert_eq!(text, "| a         | b |\n|-----------|--:|\n| long name | 1 |\n");
+    }
+}

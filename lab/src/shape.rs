@@ -1,0 +1,139 @@
+//! Shapes, each in the words of every engine: made ready beforehand, so that only drawing is measured.
+
+use embedded_graphics::geometry::Point;
+use embedded_raster::Vertex;
+use tiny_skia::{Path, PathBuilder};
+
+/// Fractional bits of the true shapes: finer than any engine keeps, and still exact in an `f32` up to 512 pixels.
+pub(crate) const BITS: u32 = 15;
+/// One pixel.
+pub(crate) const ONE: i64 = 1 << BITS;
+/// A place in units of 2^-15 pixel.
+pub(crate) type Units = (i64, i64);
+
+/// In pixels. Exact for everything near the screen.
+fn float((x, y): Units) -> (f32, f32) {
+    (x as f32 / ONE as f32, y as f32 / ONE as f32)
+}
+
+/// The nearest place with so many fractional bits, in units.
+pub(crate) fn snap((x, y): Units, bits: u32) -> Units {
+    let cell = BITS - bits;
+    let nearest = |v: i64| ((v + (1 << cell >> 1)) >> cell) << cell;
+    (nearest(x), nearest(y))
+}
+
+/// As the crate takes it, after snapping to so many bits.
+fn vertex(at: Units, bits: u32) -> Vertex {
+    let (x, y) = snap(at, bits);
+    Vertex::from_bits((x >> (BITS - 8)) as i32, (y >> (BITS - 8)) as i32)
+}
+
+fn path(corners: &[(f32, f32)]) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    path.move_to(corners[0].0, corners[0].1);
+    corners[1..].iter().for_each(|&(x, y)| path.line_to(x, y));
+    path.close();
+    path.finish()
+}
+
+/// A line from pixel to pixel.
+#[derive(Clone, Debug)]
+pub(crate) struct Line {
+    pub(crate) a: Point,
+    pub(crate) b: Point,
+    pub(crate) path: Option<Path>,
+}
+
+impl Line {
+    pub(crate) fn new(a: (i32, i32), b: (i32, i32)) -> Self {
+        let mut path = PathBuilder::new();
+        path.move_to(a.0 as f32 + 0.5, a.1 as f32 + 0.5);
+        path.line_to(b.0 as f32 + 0.5, b.1 as f32 + 0.5);
+        Self { a: a.into(), b: b.into(), path: path.finish() }
+    }
+}
+
+/// A triangle, true and snapped.
+#[derive(Clone, Debug)]
+pub(crate) struct Triangle {
+    pub(crate) units: [Units; 3],
+    pub(crate) floats: [(f32, f32); 3],
+    /// Snapped to 0, 4 and 8 bits.
+    pub(crate) whole: [Vertex; 3],
+    pub(crate) sixteenths: [Vertex; 3],
+    pub(crate) vertices: [Vertex; 3],
+    /// The pixels that contain the corners: for an engine that joins pixels.
+    pub(crate) pixels: [Point; 3],
+    pub(crate) path: Option<Path>,
+}
+
+impl Triangle {
+    pub(crate) fn new(units: [Units; 3]) -> Self {
+        let floats = units.map(float);
+        Self {
+            units,
+            floats,
+            whole: units.map(|u| vertex(u, 0)),
+            sixteenths: units.map(|u| vertex(u, 4)),
+            vertices: units.map(|u| vertex(u, 8)),
+            pixels: units.map(|(x, y)| Point::new((x >> BITS) as i32, (y >> BITS) as i32)),
+            path: path(&floats),
+        }
+    }
+
+    /// Corners in units as they are after rounding to `f32`.
+    pub(crate) fn as_floats(&self) -> [Units; 3] {
+        self.floats.map(|(x, y)| ((x * ONE as f32) as i64, (y * ONE as f32) as i64))
+    }
+
+    /// Corners in units after snapping.
+    pub(crate) fn snapped(&self, bits: u32) -> [Units; 3] {
+        self.units.map(|u| snap(u, bits))
+    }
+
+    /// Corners in units at the centres of the pixels that contain them.
+    pub(crate) fn at_centres(&self) -> [Units; 3] {
+        self.pixels.map(|p| (i64::from(p.x) * ONE + ONE / 2, i64::from(p.y) * ONE + ONE / 2))
+    }
+}
+
+/// A polygon of one outline, its vertices in 1/256 pixel: the same for every engine.
+#[derive(Clone, Debug)]
+pub(crate) struct Polygon {
+    pub(crate) units: Vec<Units>,
+    pub(crate) floats: Vec<(f32, f32)>,
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) path: Option<Path>,
+}
+
+impl Polygon {
+    pub(crate) fn new(units: Vec<Units>) -> Self {
+        let units: Vec<_> = units.into_iter().map(|u| snap(u, 8)).collect();
+        let floats: Vec<_> = units.iter().copied().map(float).collect();
+        Self {
+            vertices: units.iter().map(|&u| vertex(u, 8)).collect(),
+            path: path(&floats),
+            floats,
+            units,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn snapping_goes_to_the_nearest() {
+        assert_eq!(snap((ONE + ONE / 2 - 1, -ONE / 2 - 1), 0), (ONE, -ONE));
+        assert_eq!(snap((ONE / 16 + 5, -5), 4), (ONE / 16, 0));
+        assert_eq!(snap((12_345, -77), BITS), (12_345, -77));
+    }
+
+    #[test]
+    fn floats_are_exact_on_the_screen() {
+        let corners = [(320 * ONE - 1, 1), (7, 240 * ONE - 1), (-12_345, 5 * ONE + 1)];
+        assert_eq!(Triangle::new(corners).as_floats(), corners);
+    }
+}

@@ -1,0 +1,242 @@
+//! What is drawn: lists of shapes of one kind, and meshes that should cover every pixel once.
+
+use std::f64::consts::TAU;
+
+use crate::{
+    frame::{HEIGHT, WIDTH},
+    rng::Rng,
+    shape::{Line, Polygon, Triangle, Units, ONE},
+};
+
+/// A list of shapes of one kind. The first `timed` of them are enough to measure cost; error is judged on all.
+pub(crate) struct Workload<S> {
+    pub(crate) name: &'static str,
+    pub(crate) shapes: Vec<S>,
+    pub(crate) timed: usize,
+    /// Corners lie far off the screen: engines that cannot do that sit it out.
+    pub(crate) far: bool,
+}
+
+impl<S> Workload<S> {
+    fn new(name: &'static str, (timed, judged): (usize, usize), far: bool, mut make: impl FnMut(&mut Rng) -> S) -> Self {
+        let mut rng = Rng::new(name.bytes().map(u64::from).sum());
+        Self { name, shapes: (0..judged.max(timed)).map(|_| make(&mut rng)).collect(), timed, far }
+    }
+
+    pub(crate) fn measured(&self) -> &[S] {
+        &self.shapes[..self.timed]
+    }
+}
+
+/// How far off the screen "far" is: 100 screens.
+const FAR: i32 = 31_000;
+const CENTRE: (f64, f64) = (WIDTH as f64 / 2.0, HEIGHT as f64 / 2.0);
+
+/// In units, from pixels.
+fn units((x, y): (f64, f64)) -> Units {
+    ((x * ONE as f64).round() as i64, (y * ONE as f64).round() as i64)
+}
+
+/// The place at an angle (in turns) and a distance from another.
+fn polar((x, y): (f64, f64), turn: f64, radius: f64) -> (f64, f64) {
+    let (sin, cos) = (turn * TAU).sin_cos();
+    (x + radius * cos, y + radius * sin)
+}
+
+fn somewhere(rng: &mut Rng, margin: f64) -> (f64, f64) {
+    let within = |rng: &mut Rng, size: i32| margin + rng.unit() * (f64::from(size) - 2.0 * margin);
+    (within(rng, WIDTH), within(rng, HEIGHT))
+}
+
+/// How many shapes the error is judged on.
+fn judged(full: usize, quick: bool) -> usize {
+    if quick {
+        full / 20 + 1
+    } else {
+        full
+    }
+}
+
+/// Lines of 12 pixels, lines across the screen, and lines of which the screen sees a hundredth.
+pub(crate) fn lines(quick: bool) -> Vec<Workload<Line>> {
+    let count = judged(2_000, quick);
+    vec![
+        Workload::new("12 px", (400.min(count), count), false, short_line),
+        Workload::new("across the screen", (60.min(count), count), false, screen_line),
+        Workload::new("100 x off-screen", (12, count), true, far_line),
+    ]
+}
+
+fn short_line(rng: &mut Rng) -> Line {
+    let a = (rng.int(11, WIDTH - 12), rng.int(11, HEIGHT - 12));
+    let (major, minor) = (if rng.int(0, 1) == 0 { 11 } else { -11 }, rng.int(-11, 11));
+    let step = if rng.int(0, 1) == 0 { (major, minor) } else { (minor, major) };
+    Line::new(a, (a.0 + step.0, a.1 + step.1))
+}
+
+/// From one side of the screen to the opposite one.
+fn screen_line(rng: &mut Rng) -> Line {
+    let (right, bottom) = (WIDTH - 1, HEIGHT - 1);
+    let (a, b) = if rng.int(0, 1) == 0 {
+        ((0, rng.int(0, bottom)), (right, rng.int(0, bottom)))
+    } else {
+        ((rng.int(0, right), 0), (rng.int(0, right), bottom))
+    };
+    if rng.int(0, 1) == 0 {
+        Line::new(a, b)
+    } else {
+        Line::new(b, a)
+    }
+}
+
+/// Through a pixel near the middle, both ends far away.
+fn far_line(rng: &mut Rng) -> Line {
+    let middle = (rng.int(WIDTH / 4, WIDTH * 3 / 4), rng.int(HEIGHT / 4, HEIGHT * 3 / 4));
+    let a = if rng.int(0, 1) == 0 { (-FAR, rng.int(-FAR, FAR)) } else { (rng.int(-FAR, FAR), -FAR) };
+    let back = rng.unit();
+    let beyond = |m: i32, a: i32| m + (f64::from(m - a) * (0.5 + back / 2.0)).round() as i32;
+    let b = (beyond(middle.0, a.0), beyond(middle.1, a.1));
+    if rng.int(0, 1) == 0 {
+        Line::new(a, b)
+    } else {
+        Line::new(b, a)
+    }
+}
+
+/// Large, small and thin triangles, corners on centres and sides, and triangles of which the screen sees a small part.
+pub(crate) fn triangles(quick: bool) -> Vec<Workload<Triangle>> {
+    let count = judged(300, quick);
+    vec![
+        Workload::new("20,000 px", (12, count), false, large_triangle),
+        Workload::new("30 px", (200, 5 * count), false, |rng| small_triangle(rng, units)),
+        Workload::new("sliver 200 x 2 px", (60, count), false, sliver),
+        Workload::new("30 px, corners on half pixels", (200, 5 * count), false, |rng| small_triangle(rng, half_pixels)),
+        Workload::new("100 x off-screen", (12, count / 2), true, far_triangle),
+    ]
+}
+
+fn twice_area([a, b, c]: [(f64, f64); 3]) -> f64 {
+    ((b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)).abs()
+}
+
+fn large_triangle(rng: &mut Rng) -> Triangle {
+    loop {
+        let corners = [(); 3].map(|()| somewhere(rng, 0.0));
+        if (38_000.0..42_000.0).contains(&twice_area(corners)) {
+            return Triangle::new(corners.map(units));
+        }
+    }
+}
+
+fn small_triangle(rng: &mut Rng, place: impl Fn((f64, f64)) -> Units) -> Triangle {
+    loop {
+        let (x, y) = somewhere(rng, 7.0);
+        let corners = [(); 3].map(|()| (x + 13.0 * rng.unit() - 6.5, y + 13.0 * rng.unit() - 6.5));
+        if (57.0..63.0).contains(&twice_area(corners)) {
+            return Triangle::new(corners.map(&place));
+        }
+    }
+}
+
+/// The nearest corner or centre of a pixel: where samples lie exactly on sides.
+fn half_pixels((x, y): (f64, f64)) -> Units {
+    ((x * 2.0).round() as i64 * (ONE / 2), (y * 2.0).round() as i64 * (ONE / 2))
+}
+
+fn sliver(rng: &mut Rng) -> Triangle {
+    let (turn, middle) = (rng.unit(), (CENTRE.0 + rng.unit(), CENTRE.1 + rng.unit()));
+    let (tip, base) = (polar(middle, turn, 100.0), polar(middle, turn + 0.5, 100.0));
+    Triangle::new([tip, base, polar(base, turn + 0.25, 2.0)].map(units))
+}
+
+fn far_triangle(rng: &mut Rng) -> Triangle {
+    let (tip, turn) = (somewhere(rng, 20.0), rng.unit());
+    let width = 0.05 + 0.3 * rng.unit();
+    let far = f64::from(FAR) * 0.9;
+    Triangle::new([tip, polar(tip, turn, far), polar(tip, turn + width, far * (0.3 + 0.7 * rng.unit()))].map(units))
+}
+
+/// Stars, rough outlines, combs of fine teeth, and stars of which the screen sees the middle.
+pub(crate) fn polygons(quick: bool) -> Vec<Workload<Polygon>> {
+    let count = judged(100, quick);
+    vec![
+        Workload::new("star, 10 vertices", (12.min(count), count), false, |rng| star(rng, 114.0, 10)),
+        Workload::new("outline, 200 vertices", (4, count / 2), false, |rng| star(rng, 91.0, 200)),
+        Workload::new("comb, teeth of 1 to 40/256 px", (2, count / 10), false, comb),
+        Workload::new("100 x off-screen", (12.min(count), count), true, |rng| star(rng, f64::from(FAR), 10)),
+    ]
+}
+
+/// Vertices around the centre. Ten make a five-pointed star, 200 a circle with a rough edge.
+fn star(rng: &mut Rng, radius: f64, count: u32) -> Polygon {
+    let (start, middle) = (rng.unit(), (CENTRE.0 + rng.unit(), CENTRE.1 + rng.unit()));
+    let corner = |i: u32| {
+        // The inner radius of a pentagram is the outer one divided by the golden ratio squared; far ones cut the screen.
+        let inner = if radius > 1_000.0 { 0.002 } else { 0.382 };
+        let share = if count > 10 { 0.8 + 0.2 * rng.unit() } else if i % 2 == 0 { 1.0 } else { inner };
+        units(polar(middle, start + f64::from(i) / f64::from(count), radius * share))
+    };
+    Polygon::new((0..count).map(corner).collect())
+}
+
+/// Forty pixels of teeth, each 1 to 40 units of 1/256 pixel wide, as are the gaps.
+fn comb(rng: &mut Rng) -> Polygon {
+    let unit = ONE / 256;
+    let (left, top) = (20 * ONE + rng.range(0, 255) * unit, 20 * ONE + rng.range(0, 255) * unit);
+    let mut x = left;
+    let mut outline = vec![(left, top)];
+    while x < left + 40 * ONE {
+        let (tooth, gap) = (rng.range(1, 40) * unit, rng.range(1, 40) * unit);
+        let tip = 180 * ONE + rng.range(0, 20 * ONE);
+        outline.extend([(x, top + 8 * ONE), (x + tooth / 2, tip), (x + tooth, top + 8 * ONE)]);
+        x += tooth + gap;
+    }
+    outline.push((x, top));
+    Polygon::new(outline)
+}
+
+/// Triangles that cover every pixel of the screen exactly once, if their shared sides are drawn by one of them only.
+pub(crate) struct Mesh {
+    pub(crate) name: &'static str,
+    /// Several ones, each a cover of its own.
+    pub(crate) covers: Vec<Vec<Triangle>>,
+    pub(crate) far: bool,
+}
+
+pub(crate) fn meshes(quick: bool) -> Vec<Mesh> {
+    let copies = if quick { 1 } else { 10 };
+    let fans = if quick { 4 } else { 60 };
+    vec![
+        Mesh { name: "random mesh", covers: (0..copies).map(|i| grid(i, units)).collect(), far: false },
+        Mesh { name: "corners on half pixels", covers: (0..copies).map(|i| grid(i, half_pixels)).collect(), far: false },
+        Mesh { name: "fans 100 x off-screen", covers: (0..fans).map(fan).collect(), far: true },
+    ]
+}
+
+/// Cells of 20 pixels with shaken corners, each cut along one of its diagonals; it reaches beyond the screen all round.
+fn grid(seed: u64, place: impl Fn((f64, f64)) -> Units) -> Vec<Triangle> {
+    let mut rng = Rng::new(seed);
+    let (columns, rows) = (WIDTH / 20 + 3, HEIGHT / 20 + 3);
+    let mut shaken = |i: i32| f64::from(20 * (i - 1)) + 8.0 * rng.unit() - 4.0;
+    let corners: Vec<Vec<_>> =
+        (0..=rows).map(|j| (0..=columns).map(|i| place((shaken(i), shaken(j)))).collect()).collect();
+    let cell = |(i, j): (usize, usize)| {
+        let [a, b, c, d] = [corners[j][i], corners[j][i + 1], corners[j + 1][i + 1], corners[j + 1][i]];
+        if (i + j) % 2 == 0 {
+            [[a, b, c], [c, d, a]]
+        } else {
+            [[b, c, d], [d, a, b]]
+        }
+    };
+    let (columns, rows) = (columns as usize, rows as usize);
+    (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))).flat_map(cell).map(Triangle::new).collect()
+}
+
+/// Twenty-four triangles around a place on the screen, each reaching far off it.
+fn fan(seed: u64) -> Vec<Triangle> {
+    let mut rng = Rng::new(seed);
+    let (middle, start) = (somewhere(&mut rng, 20.0), rng.unit());
+    let mut rim: Vec<_> = (0..24).map(|i| units(polar(middle, start + f64::from(i) / 24.0, 28_000.0))).collect();
+    rim.push(rim[0]);
+    rim.windows(2).map(|side| Triangle::new([units(middle), side[0], side[1]])).collect()
+}
