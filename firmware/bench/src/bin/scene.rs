@@ -1,0 +1,33 @@
+//! Draws the frames that are the same everywhere: instructions, stack and checksum of each, one line each.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+
+use board::counter::instructions;
+use board::{crc32, println, stack, CHIP};
+use embedded_raster::Edge;
+use scene::{Frame, EDGES, FRAMES};
+
+/// The largest frame: 16 bits a pixel.
+const BYTES: usize = 2 * 320 * 240;
+
+board::entry!(main);
+
+fn main() {
+    println!("# {CHIP}: instructions, not cycles; stack in bytes below the call");
+    println!("# frame;format;instructions;stack;crc32");
+    let mut memory = [0; BYTES];
+    let mut table = [Edge::EMPTY; EDGES];
+    for frame in FRAMES {
+        measure(&frame, &mut memory[..frame.bytes], &mut table);
+    }
+}
+
+fn measure(frame: &Frame, memory: &mut [u8], table: &mut [Edge]) {
+    // Frames start with a clear: they are the same however often they are drawn.
+    let mut draw = || (frame.draw)(black_box(&mut *memory), black_box(&mut *table)).unwrap();
+    let instructions = instructions(&mut draw);
+    let stack = stack::depth(&mut draw);
+    println!("{};{};{instructions};{stack};{:08x}", frame.name, frame.format, crc32(memory));
+}

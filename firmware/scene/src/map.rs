@@ -1,0 +1,91 @@
+//! The countries of the world at four bits per pixel: filled, with borders.
+//!
+//! Equirectangular with the standard parallels at 48 degrees, where a degree of longitude is two thirds of one of latitude:
+//! so 360 x 180 degrees fill 320 x 240 pixels. From hundredths of a degree to units of 1/256 pixel,
+//! ```text
+//!  x = floor((longitude + 18,000) * 512 / 225)      36,000 * 512 / 225 = 256 * 320
+//!  y = floor((9,000 - latitude) * 256 / 75)         18,000 * 256 / 75  = 256 * 240
+//! ```
+//! in `u32`: products stay below 2^25.
+
+use core::slice;
+
+use embedded_raster::{buffer_bytes, Canvas, Edge, Error, FillRule, Framebuffer, Index4, Vertex};
+
+use crate::{HEIGHT, WIDTH};
+
+include!(concat!(env!("OUT_DIR"), "/world.rs"));
+
+/// Bytes of the framebuffer: 38,400.
+pub const BYTES: usize = buffer_bytes::<Index4>(WIDTH, HEIGHT);
+
+const SEA: Index4 = Index4::new(1);
+const BORDER: Index4 = Index4::new(0);
+/// Countries take these in turn: neither sea nor border.
+const LAND: [u8; 7] = [2, 3, 6, 7, 10, 12, 14];
+
+/// Draws the map on `memory` from its first byte on.
+///
+/// # Errors
+/// `memory` is shorter than [`BYTES`], or `table` than the sides of a country in one row.
+pub fn draw(memory: &mut [u8], table: &mut [Edge]) -> Result<(), Error> {
+    let mut frame = Framebuffer::<Index4>::new(memory, WIDTH, HEIGHT)?;
+    frame.clear(SEA);
+    for (country, &color) in countries().zip(LAND.iter().cycle()) {
+        frame.fill_contours(country, FillRule::EvenOdd, table, Index4::new(color))?;
+    }
+    for ring in countries().flatten() {
+        // Closed: from the last point to the first.
+        let last = ring.clone().last();
+        frame.draw_polyline(last.into_iter().chain(ring).map(Vertex::pixel), BORDER);
+    }
+    Ok(())
+}
+
+/// The rings of each country.
+fn countries() -> impl Iterator<Item = Rings> {
+    let mut rest = Rings { lengths: &RINGS, points: &POINTS };
+    COUNTRIES.iter().map_while(move |&rings| {
+        let (lengths, lengths_after) = rest.lengths.split_at_checked(rings.into())?;
+        let points = lengths.iter().map(|&n| usize::from(n)).sum();
+        let (points, points_after) = rest.points.split_at_checked(points)?;
+        rest = Rings { lengths: lengths_after, points: points_after };
+        Some(Rings { lengths, points })
+    })
+}
+
+/// Rings that follow each other in the tables.
+#[derive(Clone)]
+struct Rings {
+    lengths: &'static [u16],
+    points: &'static [[i16; 2]],
+}
+
+impl Iterator for Rings {
+    type Item = Ring;
+
+    fn next(&mut self) -> Option<Ring> {
+        let (&length, lengths) = self.lengths.split_first()?;
+        let (ring, points) = self.points.split_at_checked(length.into())?;
+        *self = Self { lengths, points };
+        Some(Ring(ring.iter()))
+    }
+}
+
+/// The points of a ring, projected when they are asked for: there is no RAM to keep them in.
+#[derive(Clone)]
+struct Ring(slice::Iter<'static, [i16; 2]>);
+
+impl Iterator for Ring {
+    type Item = Vertex;
+
+    #[inline]
+    fn next(&mut self) -> Option<Vertex> {
+        self.0.next().copied().map(project)
+    }
+}
+
+fn project([longitude, latitude]: [i16; 2]) -> Vertex {
+    let (east, south) = ((i32::from(longitude) + 18_000) as u32, (9_000 - i32::from(latitude)) as u32);
+    Vertex::from_bits((east * 512 / 225) as i32, (south * 256 / 75) as i32)
+}
