@@ -73,7 +73,7 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
     /// Writes the colours of a row of indices as pixels of format `O`: what flushing an indexed framebuffer to a true-colour
     /// display does all day.
     ///
-    /// * `indices`: pixels of the format `I`, the first one at the first byte.
+    /// * `indices`: pixels of the format `I`, of at most 8 bits (others do not compile), the first one at the first byte.
     /// * `out`: the pixels to write. As many are written as both have room for.
     ///
     /// An index beyond the table is shown as the first colour.
@@ -87,6 +87,7 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
     /// ```
     #[inline]
     pub fn expand<I: PixelFormat, O: PixelFormat<Color = C>>(&self, indices: &[u8], out: &mut [u8]) {
+        const { assert!(I::BITS <= 8, "indices have at most 8 bits") };
         let first = self.colors.first().copied();
         let color = |index: u8| self.colors.get(usize::from(index)).copied().or(first).map_or(0, O::pack);
         match O::BITS {
