@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
 
-use super::{color::rescale, PixelFormat, Rgb332};
+use super::{color::rescale, word::keep_rolled, PixelFormat, Rgb332};
 use crate::num::cast::{low_u16, low_u32, low_u8};
 
 /// A table of `N` colours that indices are shown through.
@@ -114,18 +114,29 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
 fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
     let per_byte = (8 / I::BITS) as usize;
     let index = |byte: u8, i: usize| low_u8(super::packed::nth::<I>(byte, i));
-    let mut groups = out.chunks_exact_mut(N * per_byte);
-    let mut bytes = indices.iter();
-    for (group, &byte) in (&mut groups).zip(&mut bytes) {
-        for (i, place) in group.chunks_exact_mut(N).enumerate() {
+    let put = |places: &mut [u8], byte: u8| {
+        for (i, place) in places.chunks_exact_mut(N).enumerate() {
             place.copy_from_slice(&pixel(index(byte, i)));
+        }
+    };
+    // Eight pixels to a round. Between halves the compiler may not mix: it would load all indices first, and run out of
+    // registers.
+    let bytes_per_round = I::BITS as usize;
+    for (round, bytes) in out.chunks_exact_mut(8 * N).zip(indices.chunks_exact(bytes_per_round)) {
+        for (i, (places, &byte)) in round.chunks_exact_mut(N * per_byte).zip(bytes).enumerate() {
+            put(places, byte);
+            if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
+                keep_rolled();
+            }
         }
     }
-    // A row may end within a byte.
-    if let Some(&byte) = bytes.next() {
-        for (i, place) in groups.into_remainder().chunks_exact_mut(N).enumerate() {
-            place.copy_from_slice(&pixel(index(byte, i)));
-        }
+    // What is left is less than a round of pixels or of indices, and a row may end within a byte.
+    let rounds = (indices.len() / bytes_per_round).min(out.len() / (8 * N));
+    let (indices, out) =
+        (indices.get(rounds.wrapping_mul(bytes_per_round)..), out.get_mut(rounds.wrapping_mul(8 * N)..));
+    let (Some(indices), Some(out)) = (indices, out) else { return };
+    for (places, &byte) in out.chunks_mut(N * per_byte).zip(indices) {
+        put(places, byte);
     }
 }
 

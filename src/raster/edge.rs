@@ -37,7 +37,9 @@ pub struct Edge {
     /// The row after its last.
     pub(crate) end: i32,
     /// +1 when the contour goes down along it, -1 when up.
-    pub(crate) winding: i32,
+    pub(crate) winding: i16,
+    /// While the table is sorted: the next edge of a list, then its place.
+    pub(crate) link: u16,
 }
 
 impl Edge {
@@ -46,7 +48,7 @@ impl Edge {
     /// use embedded_raster::raster::Edge;
     /// static mut TABLE: [Edge; 64] = [Edge::EMPTY; 64];
     /// ```
-    pub const EMPTY: Self = Self { crossing: Stepper::still(0), y: 0, end: 0, winding: 0 };
+    pub const EMPTY: Self = Self { crossing: Stepper::still(0), y: 0, end: 0, winding: 0, link: 0 };
 
     /// The rows of `top..bottom` that the side from `a` to `b` crosses.
     #[inline(always)]
@@ -62,7 +64,7 @@ impl Edge {
         let (upper, lower, winding) = if a.1 <= b.1 { (a, b, 1) } else { (b, a, -1) };
         let Some(slope) = Slope::new(upper, lower) else { return Self::EMPTY };
         let skip = y.wrapping_sub(first_centre_from(upper.1));
-        Self { crossing: slope.stepper(skip, end.wrapping_sub(y)), y, end, winding }
+        Self { crossing: slope.stepper(skip, end.wrapping_sub(y)), y, end, winding, link: 0 }
     }
 }
 

@@ -39,7 +39,38 @@ use crate::{
 /// steps.spans(|s| spans.push((s.y(), s.x0(), s.x1())));
 /// assert_eq!(spans, [(41, 20, 22), (42, 22, 25)]);
 /// ```
+#[inline]
 pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
+    if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
+        Some(whole(a, b))
+    } else {
+        clip_far(a, b, window)
+    }
+}
+
+/// A line that lies in the window as it is.
+#[inline(always)]
+fn whole(a: Point, b: Point) -> Steps {
+    let (dx, dy) = (a.x.abs_diff(b.x), a.y.abs_diff(b.y));
+    let steep = dy > dx;
+    let (da, db) = if steep { (dy, dx) } else { (dx, dy) };
+    let (h, down) = (da >> 1, a.y <= b.y);
+    let ((first, last), rest) = if down { ((a, b), h) } else { ((b, a), da.wrapping_sub(1).wrapping_sub(h)) };
+    Steps {
+        first: (first.x, first.y),
+        last: (last.x, last.y),
+        len: da.wrapping_add(1),
+        right: first.x <= last.x,
+        steep,
+        rest: rest.wrapping_sub(da),
+        minor: db,
+        major: da,
+    }
+}
+
+/// A line that crosses the border of the window, or misses it.
+#[inline(never)]
+fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
     let (dx, dy) = (a.x.abs_diff(b.x), a.y.abs_diff(b.y));
     let (right, down) = (a.x <= b.x, a.y <= b.y);
     let steep = dy > dx;

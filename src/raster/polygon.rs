@@ -11,7 +11,7 @@
 //! The table is the caller's. When the sides that cross a band of rows are more than it holds, the band is halved and the
 //! fill goes on; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
 //!
-//! Memory: 32 bytes a side. Work: sides times bands, sorting, and per row the active sides and their crossings.
+//! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands, sorting, and per row the active sides and their crossings.
 //!
 //! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
 
@@ -36,11 +36,12 @@ pub enum FillRule {
 }
 
 impl FillRule {
+    /// The bits of the winding number that tell inside from outside.
     #[inline(always)]
-    fn is_inside(self, winding: i32) -> bool {
+    fn mask(self) -> i32 {
         match self {
-            Self::NonZero => winding != 0,
-            Self::EvenOdd => winding & 1 != 0,
+            Self::NonZero => -1,
+            Self::EvenOdd => 1,
         }
     }
 }
@@ -79,6 +80,9 @@ where
     if window.is_empty() {
         return Ok(());
     }
+    // Places in the table are 16 bits; the last one means "none".
+    let slots = table.len().min(usize::from(END));
+    let Some(table) = table.get_mut(..slots) else { return Ok(()) };
     let whole = load(contours.clone(), window.y0, window.y1, table);
     if whole.count <= table.len() {
         scan(table, whole.count, rule, window, &mut emit);
@@ -163,14 +167,11 @@ fn scan(table: &mut [Edge], count: usize, rule: FillRule, window: Rect, emit: &m
         }
         // The slot after the active ones is free, or is that of the next waiting edge itself.
         while let Some(&edge) = table.get(waiting).filter(|edge| edge.y == y) {
-            if let Some(slot) = table.get_mut(active) {
-                *slot = edge;
-            }
+            insert(table, active, edge);
             active = active.wrapping_add(1);
             waiting = waiting.wrapping_add(1);
         }
         let Some(row) = table.get_mut(..active) else { return };
-        sort_by_crossing(row);
         spans(row, y, rule, window, emit);
         y = y.wrapping_add(1);
         active = descend(row, y);
@@ -183,16 +184,14 @@ fn spans(row: &[Edge], y: i32, rule: FillRule, window: Rect, emit: &mut impl FnM
     let (mut winding, mut x0) = (0_i32, 0);
     for edge in row {
         let x = edge.crossing.value;
-        let was_inside = rule.is_inside(winding);
-        winding = winding.wrapping_add(edge.winding);
-        match (was_inside, rule.is_inside(winding)) {
-            (false, true) => x0 = x,
-            (true, false) => {
-                if let Some(span) = (Span { y, x0, x1: x }).clip_columns(window) {
-                    emit(span);
-                }
+        let was_inside = winding & rule.mask() != 0;
+        winding = winding.wrapping_add(i32::from(edge.winding));
+        if !was_inside {
+            x0 = x;
+        } else if winding & rule.mask() == 0 {
+            if let Some(span) = (Span { y, x0, x1: x }).clip_columns(window) {
+                emit(span);
             }
-            _ => {}
         }
     }
 }
@@ -200,67 +199,132 @@ fn spans(row: &[Edge], y: i32, rule: FillRule, window: Rect, emit: &mut impl FnM
 /// Moves the active edges to row `y` and drops those that ended; returns how many are left, in front and in order.
 #[inline(always)]
 fn descend(row: &mut [Edge], y: i32) -> usize {
-    let mut kept = 0;
+    let (mut kept, mut last) = (0, i32::MIN);
     for i in 0..row.len() {
         let Some(edge) = row.get_mut(i) else { break };
         if edge.end == y {
             continue;
         }
         edge.crossing.step();
-        if kept != i {
+        // In its place already, unless one before it ended or was overtaken.
+        if kept == i && edge.crossing.value >= last {
+            last = edge.crossing.value;
+        } else {
             let edge = *edge;
-            if let Some(slot) = row.get_mut(kept) {
-                *slot = edge;
-            }
+            insert(row, kept, edge);
+            last = last.max(edge.crossing.value);
         }
         kept = kept.wrapping_add(1);
     }
     kept
 }
 
-/// Insertion sort: from row to row the order changes only where edges cross.
+/// Puts an edge among the first `count`, which are sorted by their crossings. The slot after them is free. From row to row
+/// the order changes only where edges cross, so there is little to move.
 #[inline(always)]
-fn sort_by_crossing(row: &mut [Edge]) {
-    for i in 1..row.len() {
-        let mut at = i;
-        while let Some([left, right]) = at.checked_sub(1).and_then(|before| row.get_mut(before..=at)) {
-            if left.crossing.value <= right.crossing.value {
+fn insert(table: &mut [Edge], count: usize, edge: Edge) {
+    let mut at = count;
+    while let Some([left, right]) = at.checked_sub(1).and_then(|before| table.get_mut(before..=at)) {
+        if left.crossing.value <= edge.crossing.value {
+            break;
+        }
+        *right = *left;
+        at = at.wrapping_sub(1);
+    }
+    if let Some(slot) = table.get_mut(at) {
+        *slot = edge;
+    }
+}
+
+/// Sorts by the first row, by merging runs: `n log n` at the worst. Outlines come in few runs, as each goes up and down.
+///
+/// The runs are lists through `Edge::link`; when one list is left, every edge learns its place and the table is put in
+/// order. Source: natural merge sort, D. E. Knuth, "The Art of Computer Programming" 3, section 5.2.4.
+fn sort_by_row(table: &mut [Edge]) {
+    /// Runs of 2^k merged runs each: enough for 2^16.
+    const LEVELS: usize = 17;
+    let mut levels = [END; LEVELS];
+    let mut next = 0;
+    while next < table.len() {
+        let mut run;
+        (run, next) = take_run(table, next);
+        for level in &mut levels {
+            if *level == END {
+                *level = run;
                 break;
             }
-            core::mem::swap(left, right);
-            at = at.wrapping_sub(1);
+            run = merge(table, core::mem::replace(level, END), run);
         }
+    }
+    let list = levels.into_iter().fold(END, |list, level| merge(table, level, list));
+    put_in_order(table, list);
+}
+
+/// No edge.
+const END: u16 = u16::MAX;
+
+/// Links the edges from `first` on that go down, or that go up, into a list; returns it and the edge after it.
+fn take_run(table: &mut [Edge], first: usize) -> (u16, usize) {
+    let place = |i: usize| u16::try_from(i).unwrap_or(END);
+    let row = |table: &[Edge], i: usize| table.get(i).map(|edge| edge.y);
+    let link = |table: &mut [Edge], from: usize, to: u16| {
+        if let Some(edge) = table.get_mut(from) {
+            edge.link = to;
+        }
+    };
+    let mut i = first.wrapping_add(1);
+    if row(table, i) >= row(table, first) {
+        while i < table.len() && row(table, i) >= row(table, i.wrapping_sub(1)) {
+            link(table, i.wrapping_sub(1), place(i));
+            i = i.wrapping_add(1);
+        }
+        link(table, i.wrapping_sub(1), END);
+        (place(first), i)
+    } else {
+        link(table, first, END);
+        while i < table.len() && row(table, i) < row(table, i.wrapping_sub(1)) {
+            link(table, i, place(i.wrapping_sub(1)));
+            i = i.wrapping_add(1);
+        }
+        (place(i.wrapping_sub(1)), i)
     }
 }
 
-/// Heap sort by the first row: in place, and never worse than `n log n`.
-fn sort_by_row(table: &mut [Edge]) {
-    for root in (0..table.len() / 2).rev() {
-        sift_down(table, root);
-    }
-    for end in (1..table.len()).rev() {
-        if let Some([first, .., last]) = table.get_mut(..=end) {
-            core::mem::swap(first, last);
-        }
-        if let Some(heap) = table.get_mut(..end) {
-            sift_down(heap, 0);
-        }
-    }
-}
-
-/// Restores the heap order (no child starts lower than its parent) below `root`.
-fn sift_down(heap: &mut [Edge], mut root: usize) {
-    let row = |heap: &[Edge], i: usize| heap.get(i).map(|edge| edge.y);
+/// Merges two lists.
+fn merge(table: &mut [Edge], mut a: u16, mut b: u16) -> u16 {
+    let get = |table: &[Edge], i: u16| table.get(usize::from(i)).map(|edge| (edge.y, edge.link));
+    let (mut head, mut tail) = (END, END);
     loop {
-        let left = root.wrapping_mul(2).wrapping_add(1);
-        let right = left.wrapping_add(1);
-        let child = if row(heap, right) > row(heap, left) { right } else { left };
-        if row(heap, child) <= row(heap, root) {
-            return;
+        let (next, rest) = match (get(table, a), get(table, b)) {
+            (Some((y, link)), Some((other, _))) if y <= other => (a, (link, b)),
+            (_, Some((_, link))) => (b, (a, link)),
+            // The rest of a list is linked as it is.
+            (_, None) => (a, (END, END)),
+        };
+        match table.get_mut(usize::from(tail)) {
+            Some(edge) => edge.link = next,
+            None => head = next,
         }
-        if let Ok([parent, child]) = heap.get_disjoint_mut([root, child]) {
-            core::mem::swap(parent, child);
+        if get(table, a).is_none() || get(table, b).is_none() {
+            return head;
         }
-        root = child;
+        tail = next;
+        (a, b) = rest;
+    }
+}
+
+/// Moves every edge to its place in the list.
+fn put_in_order(table: &mut [Edge], list: u16) {
+    let (mut at, mut place) = (list, 0_u16);
+    while let Some(edge) = table.get_mut(usize::from(at)) {
+        (at, edge.link) = (edge.link, place);
+        place = place.wrapping_add(1);
+    }
+    for i in 0..table.len() {
+        // Each exchange brings one edge home.
+        while let Some(home) = table.get(i).map(|edge| usize::from(edge.link)).filter(|&home| home != i) {
+            let Ok([here, there]) = table.get_disjoint_mut([i, home]) else { break };
+            core::mem::swap(here, there);
+        }
     }
 }
