@@ -3,8 +3,16 @@
 
 mod support;
 
-use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
-use embedded_raster::{raster::line, Canvas, ClippedSpan, Rect, Steps, Surface};
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor},
+};
+use embedded_raster::{
+    buffer_bytes,
+    pixel::{Lsb0, Xrgb8888},
+    raster::line,
+    Canvas, ClippedSpan, Framebuffer, Index1, Index4, PixelFormat, Rect, Steps, Surface,
+};
 use support::{
     hits::Hits,
     rng::Rng,
@@ -184,6 +192,51 @@ fn a_surface_of_spans_paints_each_pixel_once() {
         wanted.sort_unstable_by_key(|&(x, y)| (y, x));
         assert_eq!(hits.runs(), runs(&wanted), "{ends:?}");
     }
+}
+
+/// Lines as long as a framebuffer can be, painted in its memory: whatever the loop that paints them adds up, it adds up
+/// 65,535 times.
+fn longest_lines<F: PixelFormat>(color: F::Color, (width, height): (u16, u16)) {
+    let mut rng = Rng::new(81);
+    let mut memory = vec![0; buffer_bytes::<F>(width, height)];
+    let mut frame = Framebuffer::<F>::new(&mut memory, width, height).expect("the right size");
+    let window = frame.window();
+    let off = F::unpack(0);
+    for i in 0..30 {
+        let reach = rng.pick(&[0, 3, 40, 20_000]);
+        let mut end = || (rng.int(-reach, window.x1 - 1 + reach), rng.int(-reach, window.y1 - 1 + reach));
+        let (mut a, mut b) = (end(), end());
+        if i % 2 == 0 {
+            // From one side to the other.
+            (a.0, b.0) = if width > height { (0, window.x1 - 1) } else { (a.0, b.0) };
+            (a.1, b.1) = if width > height { (a.1, b.1) } else { (0, window.y1 - 1) };
+        }
+        let (a, b) = if rng.one_in(2) { (a, b) } else { (b, a) };
+        frame.draw_line(point(a), point(b), color);
+        for (x, y) in twins::line(a, b, window) {
+            assert!(frame.get(Point::new(x, y)) == Some(color), "({x}, {y}) of {a:?} to {b:?} is missing");
+            frame.set(Point::new(x, y), off);
+        }
+        assert!(frame.row_bytes(0..height).iter().all(|&b| b == 0), "{a:?} to {b:?} has other pixels too");
+    }
+}
+
+#[test]
+fn longest_lines_of_bits() {
+    for size in [(1200, 900), (61, 65_535), (65_535, 61)] {
+        longest_lines::<Index1>(Index1::MAX, size);
+        longest_lines::<Lsb0<Index4>>(Index4::MAX, size);
+    }
+}
+
+#[test]
+fn longest_lines_of_bytes() {
+    for size in [(1200, 900), (61, 65_535), (65_535, 61)] {
+        longest_lines::<Gray8>(Gray8::new(7), size);
+        longest_lines::<Rgb565>(Rgb565::RED, size);
+        longest_lines::<Rgb888>(Rgb888::RED, size);
+    }
+    longest_lines::<Xrgb8888>(Xrgb8888::RED, (61, 65_535));
 }
 
 /// The references of the report on speed against error start where the line starts, and stay near it on a screen.

@@ -130,12 +130,17 @@ fn every_run_is_its_pixels(kind: &dyn Kind) {
 fn long_runs_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(51);
     for _ in 0..300 {
-        let width = rng.pick(&[64, 127, 300, 521]);
-        let mut twin = twin(&mut rng, kind, (width, 2));
+        // The last: some 2,100 bytes.
+        let width = rng.pick(&[64, 127, 300, 521, 16_900 / kind.format().bits as u16]);
+        let mut twin = twin(&mut rng, kind, (width, 5));
         let mut real = twin.bytes.clone();
         let color = kind.format().random(&mut rng);
         let (x0, x1) = (rng.int(0, 70), rng.int(30, width.into()));
-        let area = Rect::new(x0, rng.int(0, 1), x1, 2);
+        let area = match rng.below(3) {
+            0 => Rect::new(x0, rng.int(0, 4), x1, 5),
+            1 => Rect::new(x0, 2, x1, 3),
+            _ => Rect::new(0, rng.int(0, 4), width.into(), rng.int(1, 5)),
+        };
         twin.fill(area, color);
         kind.open(&twin, &mut real).fill_area(area, color);
         twin.assert_same(&real, &|| format!("{area:?}"));
@@ -333,9 +338,13 @@ fn rows_read_out_are_their_pixels(kind: &dyn Kind) {
     }
 }
 
-/// A picture where one colour is frequent, so that keys hit.
+/// A picture where one colour is frequent, so that keys hit; now and then a wide one.
 fn picture(rng: &mut Rng, kind: &dyn Kind) -> Naive {
-    let size = (rng.int(0, 40) as u16, rng.int(0, 7) as u16);
+    let size = if rng.one_in(8) {
+        (rng.int(200, 460) as u16, rng.int(1, 3) as u16)
+    } else {
+        (rng.int(0, 40) as u16, rng.int(0, 7) as u16)
+    };
     let mut picture = twin(rng, kind, size);
     let key = kind.format().random(rng);
     for _ in 0..usize::from(size.0) * usize::from(size.1) / 2 {
@@ -393,16 +402,16 @@ fn every_phase_of_a_blit(kind: &dyn Kind) {
 /// Up, down, left, right, by less than a pixel row and by more than the area, near and at the ends of `i32`.
 fn moves_are_their_pixels(kind: &dyn Kind) {
     let mut rng = Rng::new(59);
-    for i in 0..900 {
-        // Now and then wider than what is taken up at once.
-        let is_wide = i % 10 == 0;
-        let mut twin = if is_wide { twin(&mut rng, kind, (450, 3)) } else { picture(&mut rng, kind) };
+    for _ in 0..900 {
+        let mut twin = picture(&mut rng, kind);
+        // Then wider than what is taken up at once.
+        let is_wide = twin.width > 100;
         let mut real = twin.bytes.clone();
         let clip = if rng.one_in(3) { random_area(&mut rng) } else { twin.window() };
         let near = |rng: &mut Rng, n: i32| n.saturating_add(rng.int(-9, 9));
         let area = if rng.one_in(2) {
             let (x, y) = (rng.int(-3, 20), rng.int(-3, 5));
-            Rect::new(x, y, x + rng.int(0, if is_wide { 430 } else { 24 }), y + rng.int(0, 6))
+            Rect::new(x, y, x + rng.int(0, if is_wide { 440 } else { 24 }), y + rng.int(0, 6))
         } else {
             random_area(&mut rng)
         };
