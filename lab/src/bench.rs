@@ -1,10 +1,9 @@
 //! Families of engines on families of workloads, measured: what the report is made of.
 
-use anyhow::Result;
 use indicatif::ProgressBar;
 
 use crate::{
-    cost::{measured, nanoseconds, Counter},
+    cost::{measured, nanoseconds, Counts},
     engine::{Entry, Origin},
     judge::{Judge, Verdict},
     workload::Workload,
@@ -59,9 +58,14 @@ pub(crate) struct Results {
 }
 
 impl<S: Judge> Family<S> {
-    /// Engines times workloads.
-    pub(crate) fn steps(&self) -> u64 {
-        (self.entries.len() * self.workloads.len()) as u64
+    /// The names of the children: one for each engine and each workload that it can draw.
+    pub(crate) fn children(&self) -> Vec<String> {
+        let pairs = self.entries.iter().flat_map(|e| self.workloads.iter().enumerate().map(move |(i, w)| (e, i, w)));
+        pairs.filter(|(e, _, w)| e.can(w)).map(|(e, i, _)| self.child_name(e, i)).collect()
+    }
+
+    fn child_name(&self, entry: &Entry<S>, workload: usize) -> String {
+        format!("{}/{}/{workload}", self.key, entry.key)
     }
 
     /// Draws one workload with one engine inside of `measured`, if `child` names one of this family.
@@ -80,25 +84,25 @@ impl<S: Judge> Family<S> {
         true
     }
 
-    pub(crate) fn run(mut self, counter: Option<&Counter>, quick: bool, bar: &ProgressBar) -> Result<Results> {
+    pub(crate) fn run(mut self, counts: &Counts, quick: bool, bar: &ProgressBar) -> Results {
         let row = |e: &Entry<S>| Row { name: e.name, origin: e.origin, cells: Vec::new() };
         let mut rows: Vec<_> = self.entries.iter().map(row).collect();
         for (i, workload) in self.workloads.iter().enumerate() {
             let truths: Vec<_> = workload.shapes.iter().map(Judge::truth).collect();
-            for (entry, row) in self.entries.iter_mut().zip(&mut rows) {
+            let children: Vec<_> = self.entries.iter().map(|e| self.child_name(e, i)).collect();
+            for ((entry, row), child) in self.entries.iter_mut().zip(&mut rows).zip(&children) {
+                if !entry.can(workload) {
+                    row.cells.push(None);
+                    continue;
+                }
                 bar.set_message(format!("{}: {}, {}", self.title, entry.name, workload.name));
-                row.cells.push(if workload.far && !entry.goes_far {
-                    None
-                } else {
-                    let child = format!("{}/{}/{i}", self.key, entry.key);
-                    let instructions = counter.map(|c| c.instructions(&child)).transpose()?;
-                    Some(cell(entry, workload, &truths, instructions, quick))
-                });
+                let instructions = counts.get(child).copied();
+                row.cells.push(Some(cell(entry, workload, &truths, instructions, quick)));
                 bar.inc(1);
             }
         }
         let workloads = self.workloads.iter().map(|w| w.name).collect();
-        Ok(Results { key: self.key, title: self.title, workloads, rows })
+        Results { key: self.key, title: self.title, workloads, rows }
     }
 }
 

@@ -4,15 +4,22 @@
 //! workload with one engine, and only what happens inside of [`measured`] is counted.
 
 use std::{
+    collections::HashMap,
     hint::black_box,
     path::PathBuf,
     process::{Command, Stdio},
+    sync::atomic::{AtomicUsize, Ordering},
+    thread,
     time::{Duration, Instant},
 };
 
 use anyhow::{ensure, Context, Result};
+use indicatif::ProgressBar;
 
 use crate::engine::Engine;
+
+/// Instructions by the name of the child.
+pub(crate) type Counts = HashMap<String, u64>;
 
 /// The function between whose entry and exit callgrind counts.
 #[inline(never)]
@@ -38,7 +45,6 @@ pub(crate) fn nanoseconds<S>(engine: &mut dyn Engine<S>, shapes: &[S], quick: bo
 /// Callgrind, if it is there.
 pub(crate) struct Counter {
     program: PathBuf,
-    output: PathBuf,
     quick: bool,
     pub(crate) version: String,
 }
@@ -51,21 +57,45 @@ impl Counter {
             eprintln!("valgrind is missing: time only. To count instructions: apt-get install valgrind");
             return None;
         };
-        let output = std::env::temp_dir().join(format!("embedded-raster-lab-{}.callgrind", std::process::id()));
         let version = String::from_utf8_lossy(&version.stdout).trim().to_owned();
-        Some(Self { program: std::env::current_exe().ok()?, output, quick, version })
+        Some(Self { program: std::env::current_exe().ok()?, quick, version })
     }
 
-    /// Instructions of one engine on one workload, both named by `child`.
-    pub(crate) fn instructions(&self, child: &str) -> Result<u64> {
+    /// Instructions of all children, by name. A count does not depend on what else runs: all processors take part.
+    pub(crate) fn count(&self, children: &[String], bar: &ProgressBar) -> Result<Counts> {
+        let next = AtomicUsize::new(0);
+        let work = || -> Result<Counts> {
+            let mut counts = Counts::new();
+            while let Some(child) = children.get(next.fetch_add(1, Ordering::Relaxed)) {
+                bar.set_message(format!("callgrind: {child}"));
+                counts.insert(child.clone(), self.instructions(child)?);
+                bar.inc(1);
+            }
+            Ok(counts)
+        };
+        thread::scope(|scope| {
+            let threads = thread::available_parallelism().map_or(1, usize::from);
+            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+            let mut all = Counts::new();
+            for worker in workers {
+                all.extend(worker.join().expect("a worker does not panic")?);
+            }
+            Ok(all)
+        })
+    }
+
+    fn instructions(&self, child: &str) -> Result<u64> {
+        let name = format!("embedded-raster-lab-{}-{}", std::process::id(), child.replace('/', "-"));
+        let output = std::env::temp_dir().join(name);
         let mut command = Command::new("valgrind");
         command.args(["--tool=callgrind", "--toggle-collect=*measured*"]);
-        command.arg(format!("--callgrind-out-file={}", self.output.display()));
+        command.arg(format!("--callgrind-out-file={}", output.display()));
         command.arg(&self.program).args(["--child", child]).args(self.quick.then_some("--quick"));
         let run = command.stdin(Stdio::null()).output().context("running valgrind")?;
         ensure!(run.status.success(), "callgrind of {child}: {}", String::from_utf8_lossy(&run.stderr));
-        let counts = std::fs::read_to_string(&self.output).context("reading what callgrind wrote")?;
-        let _ = std::fs::remove_file(&self.output);
+        let counts = std::fs::read_to_string(&output).context("reading what callgrind wrote")?;
+        // Left behind in a temporary folder at worst.
+        let _ = std::fs::remove_file(&output);
         total(&counts).with_context(|| format!("no total in what callgrind wrote for {child}"))
     }
 }

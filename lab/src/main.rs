@@ -123,14 +123,17 @@ fn measure(options: &Options) -> Result<Report> {
     let quick = options.quick;
     let counter = if options.count { Counter::find(quick) } else { None };
     let (lines, triangles, polygons) = (lines(quick), triangles(quick), polygons(quick));
-    let meshes = (triangles.entries.len() * workload::meshes(true).len()) as u64;
-    let bar = ProgressBar::new(lines.steps() + triangles.steps() + polygons.steps() + meshes);
+    let children = [lines.children(), triangles.children(), polygons.children()].concat();
+    let meshes = triangles.entries.len() * workload::meshes(true).len();
+    let steps = children.len() * if counter.is_some() { 2 } else { 1 } + meshes;
+    let bar = ProgressBar::new(steps as u64);
     bar.set_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} {msg}")?);
+    let counts = counter.as_ref().map(|c| c.count(&children, &bar)).transpose()?.unwrap_or_default();
     let report = Report {
-        lines: lines.run(counter.as_ref(), quick, &bar)?,
-        triangles: triangles.run(counter.as_ref(), quick, &bar)?,
+        lines: lines.run(&counts, quick, &bar),
+        triangles: triangles.run(&counts, quick, &bar),
         covers: covers(quick, &bar),
-        polygons: polygons.run(counter.as_ref(), quick, &bar)?,
+        polygons: polygons.run(&counts, quick, &bar),
         valgrind: counter.map(|c| c.version),
         quick,
     };

@@ -12,11 +12,10 @@ use crate::{
 };
 
 const PANEL: (u32, u32) = (400, 320);
-const COLUMNS: usize = 3;
 const TITLE: u32 = 36;
 /// Errors below are drawn on this line, which is labelled 0.
 const NONE: f64 = 0.3;
-const MOST: f64 = 3e6;
+const MOST: f64 = 3e7;
 const FONT: &str = "sans-serif";
 
 /// A mark: its number in the legend, where it stands, and its colour.
@@ -51,32 +50,22 @@ fn marks(results: &Results, workload: usize) -> Vec<Mark> {
 /// Writes the plot of a family.
 pub(crate) fn draw(results: &Results, file: &Path) -> Result<()> {
     let panels = results.workloads.len() + 1;
-    let rows = panels.div_ceil(COLUMNS);
-    let size = (PANEL.0 * COLUMNS.min(panels) as u32, PANEL.1 * rows as u32 + TITLE);
+    let columns = if panels == 4 { 2 } else { 3 };
+    let rows = panels.div_ceil(columns);
+    let size = (PANEL.0 * columns as u32, PANEL.1 * rows as u32 + TITLE);
     let root = SVGBackend::new(file, size).into_drawing_area();
     let failed = |e: &dyn std::fmt::Display| anyhow!("drawing {}: {e}", file.display());
     root.fill(&WHITE).map_err(|e| failed(&e))?;
     let title = format!("{}: error against cost (lower left is better)", results.title);
     let root = root.titled(&title, (FONT, 20)).map_err(|e| failed(&e))?;
-    let areas = root.split_evenly((rows, COLUMNS.min(panels)));
-    let counted = results.rows.iter().flatten_cells().all(|c| c.instructions.is_some());
+    let areas = root.split_evenly((rows, columns));
+    let counted = results.rows.iter().flat_map(|row| row.cells.iter().flatten()).all(|c| c.instructions.is_some());
     let unit = if counted { "instructions per pixel" } else { "ns per pixel" };
     for (i, area) in areas.iter().enumerate().take(results.workloads.len()) {
         panel(area, results.workloads[i], unit, &marks(results, i)).map_err(|e| failed(&e))?;
     }
     legend(&areas[results.workloads.len()], results).map_err(|e| failed(&e))?;
     root.present().map_err(|e| failed(&e))
-}
-
-/// All cells of some rows.
-trait FlattenCells<'a> {
-    fn flatten_cells(self) -> impl Iterator<Item = &'a Cell>;
-}
-
-impl<'a, I: Iterator<Item = &'a crate::bench::Row>> FlattenCells<'a> for I {
-    fn flatten_cells(self) -> impl Iterator<Item = &'a Cell> {
-        self.flat_map(|row| row.cells.iter().flatten())
-    }
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;

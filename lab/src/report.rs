@@ -44,7 +44,8 @@ fn thousands(value: u64) -> String {
 
 /// A table: names of the columns, then of each row with its cells. Columns are padded, so that the text reads well too.
 fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String {
-    let mut lines: Vec<Vec<String>> = vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
+    let mut lines: Vec<Vec<String>> =
+        vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
     lines.extend(rows.iter().map(|(name, cells)| std::iter::once((*name).to_owned()).chain(cells.clone()).collect()));
     let widths: Vec<_> =
         (0..=columns.len()).map(|i| lines.iter().map(|l| l[i].chars().count()).max().unwrap_or_default()).collect();
@@ -90,7 +91,9 @@ fn wrong_and_as_given(v: Verdict) -> String {
 impl Covers {
     fn table(&self) -> String {
         let cell = |c: &Option<Cover>| match c {
-            Some(c) => format!("{}; {}", digits(per_million(c.gaps, c.pixels)), digits(per_million(c.doubles, c.pixels))),
+            Some(c) => {
+                format!("{}; {}", digits(per_million(c.gaps, c.pixels)), digits(per_million(c.doubles, c.pixels)))
+            }
             None => "-".into(),
         };
         let rows: Vec<_> = self.rows.iter().map(|(name, cells)| (*name, cells.iter().map(cell).collect())).collect();
@@ -102,6 +105,13 @@ impl Covers {
 fn first_line(program: &str, arguments: &[&str]) -> Option<String> {
     let run = Command::new(program).args(arguments).output().ok().filter(|run| run.status.success())?;
     String::from_utf8_lossy(&run.stdout).lines().next().map(|line| line.trim().to_owned())
+}
+
+/// The version of a package in the workspace's lock file.
+fn version(package: &str) -> &'static str {
+    let lock = include_str!("../../Cargo.lock");
+    let entry = lock.split("[[package]]").find(|e| e.contains(&format!("name = \"{package}\"\n")));
+    entry.and_then(|e| e.split("version = \"").nth(1)?.split('"').next()).unwrap_or("?")
 }
 
 /// The commit, and whether the sources differ from it.
@@ -136,10 +146,12 @@ impl Report {
             "# Speed against error\n\n\
              Every algorithm that has a choice, beside the peers, in one run. Written by `cargo run --release -p lab{quick}`: \
              not to be edited.\n\n\
-             - commit {}; {rustc}, opt-level 3\n- peers: embedded-graphics 0.8, tiny-skia 0.11\n\
+             - commit {}; {rustc}, opt-level 3\n- peers: embedded-graphics {}, tiny-skia {}\n\
              - instructions: {counted}; time: {}\n\n\
              {INTRODUCTION}\n",
             commit(),
+            version("embedded-graphics"),
+            version("tiny-skia"),
             processor(),
         )
     }
@@ -201,6 +213,8 @@ const NOTES: &str = "\
 ## Notes\n\n\
 - *Tested*: the whole line is walked and each pixel is tested. *Moved*: the ends are first moved to the border of the screen \
 (Cohen and Sutherland) and rounded to pixels, which draws another line. At a tie both pixels count as nearest.\n\
+- Far off the screen the square of a line's length overflows the 32 bits that embedded-graphics has for it. tiny-skia's lines \
+reach half a pixel beyond the centres of their end pixels, so that it draws both.\n\
 - True triangles have 15 sub-pixel bits, all of them exact in `f32` on the screen. embedded-graphics joins pixels, so its \
 corners are the centres of the pixels that contain the true ones, and it paints the outline too.\n\
 - Polygons are filled by the even-odd rule, with the same vertices, in 1/256 pixel, for every engine.\n\

@@ -47,11 +47,19 @@ pub(crate) struct Line {
 
 impl Line {
     pub(crate) fn new(a: (i32, i32), b: (i32, i32)) -> Self {
-        let mut path = PathBuilder::new();
-        path.move_to(a.0 as f32 + 0.5, a.1 as f32 + 0.5);
-        path.line_to(b.0 as f32 + 0.5, b.1 as f32 + 0.5);
-        Self { a: a.into(), b: b.into(), path: path.finish() }
+        Self { a: a.into(), b: b.into(), path: hairline(a, b) }
     }
+}
+
+/// From just inside the first pixel to just inside the last: tiny-skia draws the columns (or rows) whose centres lie
+/// between the ends, and from centre to centre it would leave one out.
+fn hairline(a: (i32, i32), b: (i32, i32)) -> Option<Path> {
+    let (dx, dy) = ((b.0 - a.0) as f32, (b.1 - a.1) as f32);
+    let reach = 0.49 / dx.abs().max(dy.abs()).max(1.0);
+    let mut path = PathBuilder::new();
+    path.move_to(a.0 as f32 + 0.5 - dx * reach, a.1 as f32 + 0.5 - dy * reach);
+    path.line_to(b.0 as f32 + 0.5 + dx * reach, b.1 as f32 + 0.5 + dy * reach);
+    path.finish()
 }
 
 /// A triangle, true and snapped.
@@ -111,12 +119,7 @@ impl Polygon {
     pub(crate) fn new(units: Vec<Units>) -> Self {
         let units: Vec<_> = units.into_iter().map(|u| snap(u, 8)).collect();
         let floats: Vec<_> = units.iter().copied().map(float).collect();
-        Self {
-            vertices: units.iter().map(|&u| vertex(u, 8)).collect(),
-            path: path(&floats),
-            floats,
-            units,
-        }
+        Self { vertices: units.iter().map(|&u| vertex(u, 8)).collect(), path: path(&floats), floats, units }
     }
 }
 

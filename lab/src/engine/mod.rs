@@ -8,7 +8,10 @@ pub(crate) mod triangles;
 use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_raster::{buffer_bytes, Framebuffer};
 
-use crate::frame::{Frame, Mask, HEIGHT, INK, WIDTH};
+use crate::{
+    frame::{Frame, Mask, HEIGHT, INK, WIDTH},
+    workload::Workload,
+};
 
 /// Draws shapes of type `S`.
 pub(crate) trait Engine<S> {
@@ -34,6 +37,13 @@ pub(crate) struct Entry<S> {
     /// Whether it can draw shapes whose corners lie far off the screen.
     pub(crate) goes_far: bool,
     pub(crate) engine: Box<dyn Engine<S>>,
+}
+
+impl<S> Entry<S> {
+    /// Whether it draws this workload or sits it out.
+    pub(crate) fn can(&self, workload: &Workload<S>) -> bool {
+        self.goes_far || !workload.far
+    }
 }
 
 fn entry<S>(key: &'static str, name: &'static str, origin: Origin, engine: impl Engine<S> + 'static) -> Entry<S> {
