@@ -9,10 +9,12 @@
 //!  emulator                      QEMU ---> output ---> table: instructions per pixel
 //! ```
 
+pub mod budget;
 pub mod checks;
 pub mod chip;
 pub mod emulator;
 pub mod firmware;
+pub mod scene;
 pub mod size;
 pub mod symbols;
 pub mod table;

@@ -6,7 +6,7 @@ use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::table::{self, Cell};
 use xtask::toolchain::Toolchain;
-use xtask::{checks, run, size, symbols, Chip, Opt, Program};
+use xtask::{budget, checks, run, scene, size, symbols, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -28,6 +28,10 @@ The firmware on emulated chips. Counts are instructions, not cycles.
         run `table` and print it as Markdown
     size [--target CHIP]... [--opt 3|s]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
+    scene [--target CHIP]... [--opt 3|s]
+        draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
+    budget [--bless]
+        fail when instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
 CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
@@ -51,6 +55,8 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("run") => run_program(args),
         Some("table") => print_tables(args),
         Some("size") => print_sizes(args),
+        Some("scene") => print_scene(args),
+        Some("budget") => budget(args),
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
@@ -97,6 +103,33 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
     for chip in chips {
         println!("{}: bytes beyond `empty`\n\n{}", heading(chip, opt)?, size::markdown(&size::features(chip, opt)?));
     }
+    Ok(())
+}
+
+fn print_scene(mut args: Arguments) -> Result<()> {
+    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    finish(args)?;
+    let host = scene::on_host()?;
+    for chip in chips {
+        let frames = scene::on_chip(chip, opt)?;
+        println!("{}\n\n{}", heading(chip, opt)?, scene::markdown(&frames));
+        scene::compare(&host, chip, &frames)?;
+        let ram = scene::map(chip, opt)?;
+        println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
+    }
+    println!("All frames are those of this computer.");
+    Ok(())
+}
+
+fn budget(mut args: Arguments) -> Result<()> {
+    let bless = args.contains("--bless");
+    finish(args)?;
+    let measured = budget::measure()?;
+    if bless {
+        return budget::bless(&measured);
+    }
+    budget::check(&measured)?;
+    println!("{} numbers within their budgets", measured.len());
     Ok(())
 }
 

@@ -3,10 +3,10 @@
 //! Equirectangular with the standard parallels at 48 degrees, where a degree of longitude is two thirds of one of latitude:
 //! so 360 x 180 degrees fill 320 x 240 pixels. From hundredths of a degree to units of 1/256 pixel,
 //! ```text
-//!  x = floor((longitude + 18,000) * 512 / 225)      36,000 * 512 / 225 = 256 * 320
-//!  y = floor((9,000 - latitude) * 256 / 75)         18,000 * 256 / 75  = 256 * 240
+//!  x = (longitude + 18,000) * X / 2^15      X = 256 * 320 * 2^15 / 36,000, rounded up
+//!  y = (9,000 - latitude) * Y / 2^16        Y = 256 * 240 * 2^16 / 18,000, likewise
 //! ```
-//! in `u32`: products stay below 2^25.
+//! rounded down, where products stay below 2^32: a multiplication and a shift on every chip.
 
 use core::slice;
 
@@ -86,6 +86,8 @@ impl Iterator for Ring {
 }
 
 fn project([longitude, latitude]: [i16; 2]) -> Vertex {
+    const X: u32 = 74_566;
+    const Y: u32 = 223_697;
     let (east, south) = ((i32::from(longitude) + 18_000) as u32, (9_000 - i32::from(latitude)) as u32);
-    Vertex::from_bits((east * 512 / 225) as i32, (south * 256 / 75) as i32)
+    Vertex::from_bits((east * X >> 15) as i32, (south * Y >> 16) as i32)
 }

@@ -1,12 +1,13 @@
-//! The drawing calls of the probe as an image for a chip: it links only if nothing can panic. It is never run, so it has no
-//! start; the linker is told to keep the calls.
+//! Drawing calls as an image for a chip: it links only if nothing can panic. It is never run, so it has no start; the linker
+//! is told to keep the calls.
+//!
+//! The probe in `../..` has all formats and proves the same for the computer that builds it; this one has a format of each
+//! kind (bits in bytes, words, odd numbers of bytes), to be built four times for each chip.
 #![no_std]
 #![no_main]
-#![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
-#![allow(improper_ctypes_definitions)] // nobody calls them
+#![allow(clippy::missing_safety_doc)]
 
 #[cfg(not(feature = "panics"))]
-#[path = "../../src/calls.rs"]
 mod calls;
 
 #[panic_handler]

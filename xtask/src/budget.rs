@@ -1,0 +1,132 @@
+//! Budgets: what instructions, flash and stack may be, in a text file. One that grows by more than 2 % is an error, and so is
+//! one that is missing.
+//!
+//! ```text
+//!  instructions;m4;3;clear;rgb565;7668.1      of one workload of this crate
+//!  stack;m4;3;clear;rgb565;64                 bytes
+//!  flash;m0;s;line;;600                       bytes of code and constants of a firmware in size/, beyond the empty one
+//!  stack;m0;s;line;;120                       and its stack
+//! ```
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{bail, Context, Result};
+
+use crate::firmware::{self, Opt, Program};
+use crate::{run, scene, size, table, Chip};
+
+/// The chips that have budgets, by their names on the command line.
+const CHIPS: [(&str, Chip); 2] = [("m0", Chip::M0), ("m4", Chip::M4)];
+/// The engine that has budgets: this crate.
+const ENGINE: &str = "embedded-raster";
+/// What may be grown by: 1 of so many. Another compiler may bring as much.
+const TOLERANCE: f64 = 50.0;
+
+/// What is measured, as in the file without its last field, to the number.
+pub type Budgets = BTreeMap<String, f64>;
+
+/// Measures everything that has a budget.
+pub fn measure() -> Result<Budgets> {
+    let mut all = Budgets::new();
+    for (name, chip) in CHIPS {
+        let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, Opt::Three)?)?;
+        for row in rows.iter().filter(|row| row.engine == ENGINE) {
+            let workload = format!("{name};3;{};{}", row.workload, row.format);
+            all.insert(format!("instructions;{workload}"), row.instructions);
+            all.insert(format!("stack;{workload}"), row.stack.into());
+        }
+        for frame in scene::on_chip(chip, Opt::Three)? {
+            all.insert(format!("instructions;{name};3;{};{}", frame.name, frame.format), frame.instructions);
+            all.insert(format!("stack;{name};3;{};{}", frame.name, frame.format), frame.stack.into());
+        }
+        for feature in size::features(chip, Opt::Small)?.iter().filter(|feature| !feature.name.starts_with("eg_")) {
+            let name = format!("{name};s;{};", feature.name);
+            all.insert(format!("flash;{name}"), (feature.text + feature.rodata) as f64);
+            all.insert(format!("stack;{name}"), feature.stack.into());
+        }
+    }
+    Ok(all)
+}
+
+/// Compares with the file. Fails with a list of all that grew, that has no budget, or that is gone.
+pub fn check(measured: &Budgets) -> Result<()> {
+    let path = path();
+    let text = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
+    let wrong = differences(&parse(&text)?, measured);
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    bail!("{} of {} budgets:\n{}write them anew with --bless", wrong.lines().count(), measured.len(), wrong)
+}
+
+/// Writes the file anew.
+pub fn bless(measured: &Budgets) -> Result<()> {
+    let mut text =
+        String::from("# Written by `cargo xtask budget --bless`: what; chip; opt-level; of what; format; number\n");
+    for (name, number) in measured {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name};{number}");
+    }
+    fs::write(path(), text).with_context(|| format!("writing {}", path().display()))
+}
+
+fn path() -> PathBuf {
+    firmware::root().join("budgets.txt")
+}
+
+fn parse(text: &str) -> Result<Budgets> {
+    let lines = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
+    lines
+        .map(|line| {
+            let (name, number) = line.rsplit_once(';').with_context(|| format!("no number in `{line}`"))?;
+            Ok((name.to_owned(), number.parse().with_context(|| format!("no number in `{line}`"))?))
+        })
+        .collect()
+}
+
+/// A line for each that is not as it should be.
+fn differences(budgets: &Budgets, measured: &Budgets) -> String {
+    let mut text = String::new();
+    for (name, &now) in measured {
+        let _ = match budgets.get(name) {
+            None => writeln!(text, "{name}: {now}, has no budget"),
+            Some(&budget) if now > budget + budget / TOLERANCE => {
+                writeln!(text, "{name}: {now}, the budget is {budget} ({:+.1} %)", (now / budget - 1.0) * 100.0)
+            }
+            Some(_) => Ok(()),
+        };
+    }
+    for name in budgets.keys().filter(|name| !measured.contains_key(*name)) {
+        let _ = writeln!(text, "{name}: has a budget, but is not measured");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_percent_are_free() {
+        let budgets = parse("# remark\nflash;m0;s;line;;600\nstack;m4;3;clear;rgb565;0\n").expect("well-formed");
+        let with = |line, clear| {
+            let all = [("flash;m0;s;line;", line), ("stack;m4;3;clear;rgb565", clear)];
+            differences(&budgets, &all.map(|(name, number)| (name.to_owned(), number)).into())
+        };
+        assert_eq!(with(612.0, 0.0), "", "2 % more");
+        assert_eq!(with(100.0, 0.0), "", "less");
+        assert_eq!(with(613.0, 0.0), "flash;m0;s;line;: 613, the budget is 600 (+2.2 %)\n");
+        assert!(with(600.0, 4.0).contains("clear"), "anything is more than nothing");
+    }
+
+    #[test]
+    fn what_is_missing_is_an_error() {
+        let one = Budgets::from([("flash;m0;s;line;".to_owned(), 1.0)]);
+        assert_eq!(differences(&Budgets::new(), &one).lines().count(), 1, "no budget");
+        assert_eq!(differences(&one, &Budgets::new()).lines().count(), 1, "not measured");
+        assert!(parse("flash").is_err(), "no number");
+    }
+}

@@ -1,0 +1,126 @@
+//! Frames that every chip and this computer must draw alike.
+
+use std::process::Command;
+use std::str::FromStr;
+
+use anyhow::{bail, ensure, Context, Error, Result};
+
+use crate::firmware::{self, Opt, Program};
+use crate::size::Sections;
+use crate::{emulator, run, Chip};
+
+/// The programs that print frames: all of them, and the map with its memory static.
+const SCENE: Program<'_> = Program { package: "bench", bin: "scene" };
+const MAP: Program<'_> = Program { package: "bench", bin: "map" };
+
+/// One line of such a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// What it shows.
+    pub name: String,
+    /// Name of the pixel format.
+    pub format: String,
+    /// Instructions; 0 where they are not counted.
+    pub instructions: f64,
+    /// Bytes of stack, likewise.
+    pub stack: u32,
+    /// Checksum of its bytes.
+    pub crc32: u32,
+}
+
+impl FromStr for Frame {
+    type Err = Error;
+
+    fn from_str(line: &str) -> Result<Self, Error> {
+        let fields: Vec<&str> = line.split(';').collect();
+        let &[name, format, instructions, stack, crc32] = &fields[..] else {
+            bail!("{} fields instead of 5 in the line `{line}`", fields.len());
+        };
+        Ok(Self {
+            name: name.into(),
+            format: format.into(),
+            instructions: instructions.parse()?,
+            stack: stack.parse()?,
+            crc32: u32::from_str_radix(crc32, 16)?,
+        })
+    }
+}
+
+fn parse(output: &str) -> Result<Vec<Frame>> {
+    output.lines().filter(|line| !line.starts_with('#')).map(str::parse).collect()
+}
+
+/// Draws all frames on this computer.
+pub fn on_host() -> Result<Vec<Frame>> {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["run", "--quiet", "--release", "--package", "scene", "--example", "host"]);
+    cargo.arg("--target-dir").arg(firmware::root().join("target")).current_dir(firmware::root());
+    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
+    ensure!(output.status.success(), "drawing on the host: {}", String::from_utf8_lossy(&output.stderr));
+    parse(&String::from_utf8(output.stdout)?)
+}
+
+/// Draws all frames on a chip.
+pub fn on_chip(chip: Chip, opt: Opt) -> Result<Vec<Frame>> {
+    parse(&run(&SCENE, chip, opt)?)
+}
+
+/// Fails where a frame of a chip is not that of this computer.
+pub fn compare(host: &[Frame], chip: Chip, frames: &[Frame]) -> Result<()> {
+    ensure!(host.len() == frames.len(), "{chip} draws {} frames, the host {}", frames.len(), host.len());
+    for (expected, frame) in host.iter().zip(frames) {
+        let Frame { name, format, crc32, .. } = frame;
+        ensure!((&expected.name, &expected.format) == (name, format), "{chip} draws the frames in another order");
+        ensure!(
+            expected.crc32 == *crc32,
+            "{name} in {format} on {chip} has the checksum {crc32:08x}, on the host {:08x}",
+            expected.crc32
+        );
+    }
+    Ok(())
+}
+
+/// What the map takes when its memory is static.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Ram {
+    /// Bytes of static RAM: framebuffer, edge table, and what the board needs.
+    pub statics: u64,
+    /// Bytes of stack.
+    pub stack: u32,
+}
+
+/// Builds and runs the map alone.
+pub fn map(chip: Chip, opt: Opt) -> Result<Ram> {
+    let elf = firmware::build(&MAP, chip, opt)?;
+    let frames = parse(&emulator::run(chip, &elf)?)?;
+    let stack = frames.first().context("the map prints nothing")?.stack;
+    Ok(Ram { statics: Sections::of(&elf)?.ram(), stack })
+}
+
+/// A Markdown table of the frames of a chip.
+pub fn markdown(frames: &[Frame]) -> String {
+    let mut text = String::from("| frame | format | instructions | stack | CRC-32 |\n|---|---|---:|---:|---|\n");
+    for Frame { name, format, instructions, stack, crc32 } in frames {
+        text += &format!("| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |\n");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OUTPUT: &str = "# a remark\nmap;index4;123.4;56;4d0f4b9a\nshapes;rgb565;9.0;8;00000001\n";
+
+    #[test]
+    fn another_checksum_is_an_error() {
+        let host = parse(OUTPUT).expect("well-formed");
+        assert_eq!((host[0].instructions, host[0].crc32), (123.4, 0x4D0F_4B9A), "fields");
+        assert!(compare(&host, Chip::M0, &host).is_ok(), "the same");
+        let mut other = host.clone();
+        other[1].crc32 = 2;
+        let error = compare(&host, Chip::M0, &other).expect_err("not the same").to_string();
+        assert!(error.contains("shapes in rgb565"), "{error}");
+        assert!(compare(&host, Chip::M0, &host[..1]).is_err(), "one is missing");
+    }
+}
