@@ -6,7 +6,11 @@
 //!    |
 //!  firmware    cargo build  ---> ELF ---> size: bytes of flash and RAM
 //!    |                            |
+//!    |                            |      symbols: what must not be linked
+//!    |                            |
 //!  emulator                      QEMU ---> output ---> table: instructions per pixel
+//!                                                      scene: whole frames, compared with the host's
+//!                                                      budget: what has grown
 //! ```
 
 pub mod budget;
