@@ -144,7 +144,8 @@ mod tests {
 
     #[test]
     fn lines_in_all_directions_have_one_pixel_a_step() {
-        for (dx, dy) in [(9, 4), (4, 9), (-9, 4), (-4, 9), (9, -4), (4, -9), (-9, -4), (-4, -9), (7, 7), (0, 5), (5, 0)] {
+        for (dx, dy) in [(9, 4), (4, 9), (-9, 4), (-4, 9), (9, -4), (4, -9), (-9, -4), (-4, -9), (7, 7), (0, 5), (5, 0)]
+        {
             let (a, b) = ((20, 20), (20 + dx, 20 + dy));
             let line = TrueLine::new(a, b);
             let pixels = line.pixels(Rect::new(0, 0, 40, 40));

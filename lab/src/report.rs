@@ -44,7 +44,8 @@ fn thousands(value: u64) -> String {
 
 /// A table: names of the columns, then of each row with its cells. Columns are padded, so that the text reads well too.
 fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String {
-    let mut lines: Vec<Vec<String>> = vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
+    let mut lines: Vec<Vec<String>> =
+        vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
     lines.extend(rows.iter().map(|(name, cells)| std::iter::once((*name).to_owned()).chain(cells.clone()).collect()));
     let widths: Vec<_> =
         (0..=columns.len()).map(|i| lines.iter().map(|l| l[i].chars().count()).max().unwrap_or_default()).collect();
@@ -90,7 +91,9 @@ fn wrong_and_as_given(v: Verdict) -> String {
 impl Covers {
     fn table(&self) -> String {
         let cell = |c: &Option<Cover>| match c {
-            Some(c) => format!("{}; {}", digits(per_million(c.gaps, c.pixels)), digits(per_million(c.doubles, c.pixels))),
+            Some(c) => {
+                format!("{}; {}", digits(per_million(c.gaps, c.pixels)), digits(per_million(c.doubles, c.pixels)))
+            }
             None => "-".into(),
         };
         let rows: Vec<_> = self.rows.iter().map(|(name, cells)| (*name, cells.iter().map(cell).collect())).collect();

@@ -111,12 +111,7 @@ impl Polygon {
     pub(crate) fn new(units: Vec<Units>) -> Self {
         let units: Vec<_> = units.into_iter().map(|u| snap(u, 8)).collect();
         let floats: Vec<_> = units.iter().copied().map(float).collect();
-        Self {
-            vertices: units.iter().map(|&u| vertex(u, 8)).collect(),
-            path: path(&floats),
-            floats,
-            units,
-        }
+        Self { vertices: units.iter().map(|&u| vertex(u, 8)).collect(), path: path(&floats), floats, units }
     }
 }
 

@@ -18,7 +18,12 @@ pub(crate) struct Workload<S> {
 }
 
 impl<S> Workload<S> {
-    fn new(name: &'static str, (timed, judged): (usize, usize), far: bool, mut make: impl FnMut(&mut Rng) -> S) -> Self {
+    fn new(
+        name: &'static str,
+        (timed, judged): (usize, usize),
+        far: bool,
+        mut make: impl FnMut(&mut Rng) -> S,
+    ) -> Self {
         let mut rng = Rng::new(name.bytes().map(u64::from).sum());
         Self { name, shapes: (0..judged.max(timed)).map(|_| make(&mut rng)).collect(), timed, far }
     }
@@ -173,7 +178,13 @@ fn star(rng: &mut Rng, radius: f64, count: u32) -> Polygon {
     let corner = |i: u32| {
         // The inner radius of a pentagram is the outer one divided by the golden ratio squared; far ones cut the screen.
         let inner = if radius > 1_000.0 { 0.002 } else { 0.382 };
-        let share = if count > 10 { 0.8 + 0.2 * rng.unit() } else if i % 2 == 0 { 1.0 } else { inner };
+        let share = if count > 10 {
+            0.8 + 0.2 * rng.unit()
+        } else if i % 2 == 0 {
+            1.0
+        } else {
+            inner
+        };
         units(polar(middle, start + f64::from(i) / f64::from(count), radius * share))
     };
     Polygon::new((0..count).map(corner).collect())
@@ -208,7 +219,11 @@ pub(crate) fn meshes(quick: bool) -> Vec<Mesh> {
     let fans = if quick { 4 } else { 60 };
     vec![
         Mesh { name: "random mesh", covers: (0..copies).map(|i| grid(i, units)).collect(), far: false },
-        Mesh { name: "corners on half pixels", covers: (0..copies).map(|i| grid(i, half_pixels)).collect(), far: false },
+        Mesh {
+            name: "corners on half pixels",
+            covers: (0..copies).map(|i| grid(i, half_pixels)).collect(),
+            far: false,
+        },
         Mesh { name: "fans 100 x off-screen", covers: (0..fans).map(fan).collect(), far: true },
     ]
 }

@@ -16,7 +16,12 @@ pub(crate) fn entries() -> Vec<Entry<Line>> {
     use Origin::{Crate, Peer, Textbook};
     vec![
         entry("slope", "slope and round in f32, tested", Textbook, plain(|f, l: &Line| slope_and_round(f, l.a, l.b))),
-        entry("slope-moved", "slope and round in f32, moved", Textbook, plain(|f, l: &Line| moved(f, l, slope_and_round))),
+        entry(
+            "slope-moved",
+            "slope and round in f32, moved",
+            Textbook,
+            plain(|f, l: &Line| moved(f, l, slope_and_round)),
+        ),
         entry("dda16", "DDA in 16.16, tested", Textbook, plain(|f, l: &Line| dda::<16>(f, l.a, l.b))),
         entry("dda8", "DDA in 24.8, tested", Textbook, plain(|f, l: &Line| dda::<8>(f, l.a, l.b))),
         entry("bresenham", "Bresenham, tested", Textbook, plain(|f, l: &Line| bresenham(f, l.a, l.b))),

@@ -21,7 +21,12 @@ pub(crate) fn entries() -> Vec<Entry<Polygon>> {
     };
     let mut scratch = vec![Edge::EMPTY; TABLE];
     vec![
-        entry("float", "f32 crossings, every side on every row", Textbook, plain(move |f, p: &Polygon| every_side(f, p, &mut crossings))),
+        entry(
+            "float",
+            "f32 crossings, every side on every row",
+            Textbook,
+            plain(move |f, p: &Polygon| every_side(f, p, &mut crossings)),
+        ),
         entry("float-edges", "f32 edge table, x += slope", Textbook, plain(edge_table)),
         entry("fill", "exact edge table: `polygon::fill`", Crate, plain(move |f, p: &Polygon| exact(f, p))),
         entry(
@@ -29,7 +34,8 @@ pub(crate) fn entries() -> Vec<Entry<Polygon>> {
             "`Canvas::fill_polygon`",
             Crate,
             own(move |f, p: &Polygon| {
-                f.fill_polygon(&p.vertices, EvenOdd, &mut scratch, ink()).expect("the table is larger than the outline");
+                f.fill_polygon(&p.vertices, EvenOdd, &mut scratch, ink())
+                    .expect("the table is larger than the outline");
             }),
         ),
         entry("skia", "tiny-skia", Peer, peers::skia(|f, p: &Polygon| peers::fill_even_odd(f, p.path.as_ref()))),
