@@ -150,21 +150,12 @@ pub(crate) fn fill_rows<F: PixelFormat>(
         return fill::<F>(memory, first_row, x0, x1, bits);
     }
     if F::BITS < 8 {
-        for y in 0..rows {
-            packed::fill::<F>(memory, first_row.wrapping_add(y.wrapping_mul(stride)), x0, x1, bits);
-        }
-        return;
+        return packed::fill_rows::<F>(memory, stride, (first_row, rows), (x0, x1), bits);
     }
     let last_row = first_row.wrapping_add(rows.wrapping_sub(1).wrapping_mul(stride));
     let len = byte::<F>(0, x1).wrapping_sub(byte::<F>(0, x0));
     let Some(all) = memory.get_mut(byte::<F>(first_row, x0)..byte::<F>(last_row, x1)) else { return };
-    if len == stride {
-        // Rows without a gap are one long run.
-        let len = all.len();
-        word::fill_area::<F>(all, stride.max(len), len, bits);
-    } else {
-        word::fill_area::<F>(all, stride, len, bits);
-    }
+    word::fill_area::<F>(all, stride, len, bits);
 }
 
 /// Writes one pixel.

@@ -92,11 +92,46 @@ pub(super) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1:
         Some([only]) => *only = merge(*only, byte, head_mask & tail_mask),
         Some([head, middle @ .., tail]) => {
             *head = merge(*head, byte, head_mask);
-            word::fill_span(middle, u32::from(byte).wrapping_mul(0x0101_0101));
+            word::fill_span(middle, word_of(byte));
             *tail = merge(*tail, byte, tail_mask);
         }
         _ => {}
     }
+}
+
+/// The same for rows that start `stride` bytes apart: one column of bytes, whole bytes, or three parts a row.
+pub(super) fn fill_rows<F: PixelFormat>(
+    memory: &mut [u8],
+    stride: usize,
+    (row, rows): (usize, usize),
+    (x0, x1): (usize, usize),
+    bits: u32,
+) {
+    let byte = repeat::<F>(bits);
+    let last = x1.wrapping_sub(1);
+    let (first_byte, last_byte) = (x0 >> byte_shift::<F>(), last >> byte_shift::<F>());
+    let end = row.wrapping_add(rows.wrapping_sub(1).wrapping_mul(stride)).wrapping_add(last_byte).wrapping_add(1);
+    let Some(memory) = memory.get_mut(row.wrapping_add(first_byte)..end) else { return };
+    let (head_mask, tail_mask) = (from_mask::<F>(x0), to_mask::<F>(last));
+    let len = last_byte.wrapping_sub(first_byte).wrapping_add(1);
+    if head_mask & tail_mask == 0xff {
+        return word::fill_rows(memory, stride, len, word_of(byte));
+    }
+    word::rows(memory, stride, len, |row| match row {
+        [only] => *only = merge(*only, byte, head_mask & tail_mask),
+        [head, middle @ .., tail] => {
+            *head = merge(*head, byte, head_mask);
+            word::fill_span(middle, word_of(byte));
+            *tail = merge(*tail, byte, tail_mask);
+        }
+        [] => {}
+    });
+}
+
+/// A word full of one byte.
+#[inline(always)]
+fn word_of(byte: u8) -> u32 {
+    u32::from(byte).wrapping_mul(0x0101_0101)
 }
 
 #[inline(always)]
