@@ -109,6 +109,7 @@ pub(crate) fn compare_products((a, b): (i64, i64), (c, d): (i64, i64)) -> Orderi
 }
 
 #[cfg(test)]
+#[allow(clippy::cast_possible_truncation, reason = "tests cut numbers on purpose")]
 mod tests {
     use super::*;
 

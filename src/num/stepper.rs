@@ -45,6 +45,7 @@ impl Stepper {
 }
 
 #[cfg(test)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "tests cut numbers on purpose")]
 mod tests {
     use super::*;
 

@@ -254,6 +254,7 @@ where
 }
 
 #[cfg(test)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "tests cut numbers on purpose")]
 mod tests {
     use super::*;
     use std::{vec, vec::Vec};
