@@ -145,11 +145,11 @@ pub(crate) struct Cover {
 pub(crate) fn cover(engine: &mut dyn Engine<Triangle>, mesh: &Mesh) -> Cover {
     let mut sum = Cover::default();
     for triangles in &mesh.covers {
-        let mut hits = vec![0_u8; (WIDTH * HEIGHT) as usize];
+        let mut hits = vec![0_u32; (WIDTH * HEIGHT) as usize];
         for triangle in triangles {
             engine.clear();
             engine.draw(std::slice::from_ref(triangle));
-            hits.iter_mut().zip(engine.painted().bits()).for_each(|(hits, &bit)| *hits += u8::from(bit));
+            hits.iter_mut().zip(engine.painted().bits()).for_each(|(hits, &bit)| *hits += u32::from(bit));
         }
         sum.pixels += hits.len();
         sum.gaps += hits.iter().filter(|&&n| n == 0).count();

@@ -26,7 +26,7 @@ pub(crate) struct Report {
 /// Three digits, as many as mean something.
 pub(crate) fn digits(value: f64) -> String {
     match value {
-        v if v == 0.0 => "0".into(),
+        0.0 => "0".into(),
         v if v < 0.001 => format!("{v:.1e}"),
         v if v < 0.0995 => format!("{v:.3}"),
         v if v < 9.95 => format!("{v:.2}"),

@@ -180,7 +180,7 @@ fn star(rng: &mut Rng, radius: f64, count: u32) -> Polygon {
         let inner = if radius > 1_000.0 { 0.002 } else { 0.382 };
         let share = if count > 10 {
             0.8 + 0.2 * rng.unit()
-        } else if i % 2 == 0 {
+        } else if i.is_multiple_of(2) {
             1.0
         } else {
             inner

@@ -62,7 +62,9 @@ fn plain<S>(shape: impl FnMut(&mut Frame, &S)) -> Plain<impl FnMut(&mut Frame, &
 
 impl<S, F: FnMut(&mut Frame, &S)> Engine<S> for Plain<F> {
     fn draw(&mut self, shapes: &[S]) {
-        shapes.iter().for_each(|shape| (self.shape)(&mut self.frame, shape));
+        for shape in shapes {
+            (self.shape)(&mut self.frame, shape);
+        }
     }
 
     fn clear(&mut self) {
@@ -88,7 +90,9 @@ impl<S, F: FnMut(&mut Framebuffer<'_, Rgb565>, &S)> Engine<S> for Own<F> {
     fn draw(&mut self, shapes: &[S]) {
         let frame = Framebuffer::new(&mut self.memory, WIDTH as u16, HEIGHT as u16);
         let mut frame = frame.expect("the memory was made for this size");
-        shapes.iter().for_each(|shape| (self.shape)(&mut frame, shape));
+        for shape in shapes {
+            (self.shape)(&mut frame, shape);
+        }
     }
 
     fn clear(&mut self) {

@@ -30,7 +30,9 @@ pub(super) fn graphics<S>(shape: impl FnMut(&mut Graphics, &S)) -> GraphicsEngin
 
 impl<S, F: FnMut(&mut Graphics, &S)> Engine<S> for GraphicsEngine<F> {
     fn draw(&mut self, shapes: &[S]) {
-        shapes.iter().for_each(|shape| (self.shape)(&mut self.frame, shape));
+        for shape in shapes {
+            (self.shape)(&mut self.frame, shape);
+        }
     }
 
     fn clear(&mut self) {
@@ -63,7 +65,9 @@ pub(super) fn skia<S>(shape: impl FnMut(&mut Pixmap, &S)) -> SkiaEngine<impl FnM
 
 impl<S, F: FnMut(&mut Pixmap, &S)> Engine<S> for SkiaEngine<F> {
     fn draw(&mut self, shapes: &[S]) {
-        shapes.iter().for_each(|shape| (self.shape)(&mut self.pixmap, shape));
+        for shape in shapes {
+            (self.shape)(&mut self.pixmap, shape);
+        }
     }
 
     fn clear(&mut self) {

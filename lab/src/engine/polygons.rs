@@ -104,7 +104,9 @@ fn edge_table(frame: &mut Frame, polygon: &Polygon) {
         crossings.clear();
         crossings.extend(active.iter().map(|edge| edge.x));
         fill_pairs(frame, y, &mut crossings);
-        active.iter_mut().for_each(|edge| edge.x += edge.slope);
+        for edge in &mut active {
+            edge.x += edge.slope;
+        }
     }
 }
 
@@ -117,7 +119,7 @@ fn float_edges(polygon: &Polygon) -> Vec<FloatEdge> {
         let row = |y: f32| ((y - 0.5).ceil() as i32).clamp(0, HEIGHT);
         let (first, end) = (row(a.1), row(b.1));
         let slope = (b.0 - a.0) / (b.1 - a.1);
-        (first < end).then(|| FloatEdge { x: a.0 + (first as f32 + 0.5 - a.1) * slope, slope, first, end })
+        (first < end).then_some(FloatEdge { x: a.0 + (first as f32 + 0.5 - a.1) * slope, slope, first, end })
     };
     corners.iter().zip(next).filter_map(edge).collect()
 }
