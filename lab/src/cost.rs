@@ -27,9 +27,10 @@ pub(crate) fn measured<S>(engine: &mut dyn Engine<S>, shapes: &[S]) {
     engine.draw(black_box(shapes));
 }
 
-/// Nanoseconds to draw the shapes once: the median of several runs, each long enough for the clock.
+/// Nanoseconds to draw the shapes once: the median of many runs, each long enough for the clock and shorter than the slices
+/// of a scheduler, so that most of them are left alone even on a busy machine.
 pub(crate) fn nanoseconds<S>(engine: &mut dyn Engine<S>, shapes: &[S], quick: bool) -> f64 {
-    let (runs, shortest) = if quick { (3, Duration::from_micros(100)) } else { (9, Duration::from_millis(4)) };
+    let (runs, shortest) = if quick { (5, Duration::from_micros(100)) } else { (41, Duration::from_micros(200)) };
     let once = |engine: &mut dyn Engine<S>, times: u32| {
         let start = Instant::now();
         (0..times).for_each(|_| measured(engine, shapes));

@@ -166,7 +166,7 @@ fn main() -> Result<()> {
     let folder = match &options.out {
         Some(folder) => folder.clone(),
         None if options.quick => std::env::temp_dir().join("embedded-raster-lab"),
-        None => Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs"),
+        None => Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("docs"),
     };
     write(&report, &folder, options.plots || !options.quick)
 }

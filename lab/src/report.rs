@@ -121,11 +121,13 @@ fn commit() -> String {
     format!("{commit}{}", if clean.is_ok_and(|s| s.success()) { "" } else { " with changes" })
 }
 
-/// The processor, where Linux says it: times mean something on it only.
+/// The processor and its load, where Linux says them: times mean something on it only, and little while it is busy.
 fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, name)| name));
-    format!("{}, {}", std::env::consts::ARCH, name.unwrap_or("unknown processor"))
+    let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    let load = load.split(' ').next().filter(|l| !l.is_empty()).unwrap_or("unknown");
+    format!("{}, {}, load average {load}", std::env::consts::ARCH, name.unwrap_or("unknown processor"))
 }
 
 impl Report {
