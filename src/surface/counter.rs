@@ -45,4 +45,14 @@ impl<C: PixelColor> Surface for Counter<C> {
         self.pixels = self.pixels.saturating_add(u64::from(span.len()));
         self.spans = self.spans.saturating_add(1);
     }
+
+    #[inline]
+    fn fill_area(&mut self, area: Rect, _: C) {
+        let area = area.intersection(self.window);
+        if !area.is_empty() {
+            let rows = u64::from(area.height());
+            self.pixels = self.pixels.saturating_add(rows.saturating_mul(area.width().into()));
+            self.spans = self.spans.saturating_add(rows);
+        }
+    }
 }

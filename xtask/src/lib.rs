@@ -18,6 +18,7 @@ pub mod checks;
 pub mod chip;
 pub mod emulator;
 pub mod firmware;
+pub mod readme;
 pub mod scene;
 pub mod size;
 pub mod symbols;

@@ -6,7 +6,7 @@ use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::table::{self, Cell};
 use xtask::toolchain::Toolchain;
-use xtask::{budget, checks, run, scene, size, symbols, Chip, Opt, Program};
+use xtask::{budget, checks, readme, run, scene, size, symbols, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -32,6 +32,11 @@ The firmware on emulated chips. Counts are instructions, not cycles.
         draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
     budget [--bless]
         fail when instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
+
+Documentation:
+
+    readme
+        make the tables of the README anew, each by the command that stands above it
 
 CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
@@ -60,6 +65,10 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
+        Some("readme") => {
+            finish(args)?;
+            readme::update()
+        }
         Some("probe") => {
             finish(args)?;
             checks::probe()

@@ -1,0 +1,86 @@
+//! The tables of the README, made anew by the commands that stand above them.
+//!
+//! A table stands between two comments. The first says where it comes from: a command of this tool, or a heading of a file
+//! whose first table it is.
+//! ```text
+//! <!-- cargo xtask table --target m4 -->        <!-- docs/speed-and-error.md: Lines -->
+//! | ... |                                       | ... |
+//! <!-- end -->                                  <!-- end -->
+//! ```
+
+use std::env;
+use std::fs;
+use std::process::Command;
+
+use anyhow::{ensure, Context, Result};
+
+use crate::firmware::project;
+
+const END: &str = "<!-- end -->";
+
+/// Writes all tables of the README anew.
+pub fn update() -> Result<()> {
+    let path = project().join("README.md");
+    let old = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
+    fs::write(&path, fill(&old, source)?).with_context(|| format!("writing {}", path.display()))
+}
+
+/// The text with every table replaced by what `source` makes of its first comment.
+fn fill(text: &str, source: impl Fn(&str) -> Result<String>) -> Result<String> {
+    let mut new = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        new += line;
+        new.push('\n');
+        let Some(name) = line.strip_prefix("<!-- ").and_then(|line| line.strip_suffix(" -->")) else { continue };
+        let table = source(name).with_context(|| format!("the table of `{name}`"))?;
+        ensure!(lines.any(|line| line == END), "no `{END}` after `{name}`");
+        new += &format!("\n{}\n\n{END}\n", table.trim());
+    }
+    Ok(new)
+}
+
+fn source(name: &str) -> Result<String> {
+    if let Some(arguments) = name.strip_prefix("cargo xtask ") {
+        eprintln!("{name}");
+        let output = Command::new(env::current_exe()?).args(arguments.split(' ')).output()?;
+        ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        return Ok(String::from_utf8(output.stdout)?);
+    }
+    let (file, heading) = name.split_once(": ").context("neither a command nor a file and a heading")?;
+    first_table(&fs::read_to_string(project().join(file)).with_context(|| format!("reading {file}"))?, heading)
+}
+
+/// The first table below a heading.
+fn first_table(text: &str, heading: &str) -> Result<String> {
+    let below = text.lines().skip_while(|line| line.trim_start_matches('#').trim() != heading);
+    let table: Vec<&str> =
+        below.skip_while(|line| !line.starts_with('|')).take_while(|line| line.starts_with('|')).collect();
+    ensure!(!table.is_empty(), "no table below `{heading}`");
+    Ok(table.join("\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_replaced_and_the_rest_stays() {
+        let text = "# a\n<!-- one -->\n| old |\n<!-- end -->\nb\n";
+        let new = fill(text, |name| Ok(format!("| {name} |\n"))).expect("well-formed");
+        assert_eq!(new, "# a\n<!-- one -->\n\n| one |\n\n<!-- end -->\nb\n");
+        assert_eq!(fill(&new, |name| Ok(format!("| {name} |\n"))).expect("well-formed"), new);
+    }
+
+    #[test]
+    fn a_table_without_an_end_is_an_error() {
+        assert!(fill("<!-- one -->\n| old |\n", |_| Ok(String::new())).is_err(), "nothing would be left of the text");
+    }
+
+    #[test]
+    fn the_table_below_a_heading() {
+        let text = "# x\n| no |\n## y\nwords\n| a |\n| b |\n\n| c |\n";
+        assert_eq!(first_table(text, "y").expect("there is one"), "| a |\n| b |");
+        assert!(first_table(text, "z").is_err(), "no such heading");
+    }
+}
