@@ -129,11 +129,11 @@ impl Steps {
         self.right
     }
 
-    /// The rectangle of the visible pixels, if the line is horizontal or vertical.
+    /// The visible pixels as a span, if they lie in one row.
     #[inline(always)]
-    pub(crate) fn straight(&self) -> Option<Rect> {
-        let ((x0, y0), (x1, y1)) = (self.first, self.last);
-        (self.minor == 0).then(|| Rect::new(x0.min(x1), y0, x0.max(x1).wrapping_add(1), y1.wrapping_add(1)))
+    pub(crate) fn one_row(&self) -> Option<ClippedSpan> {
+        let ((x0, y), (x1, last_y)) = (self.first, self.last);
+        (y == last_y).then(|| ClippedSpan { y, x0: x0.min(x1), x1: x0.max(x1).wrapping_add(1) })
     }
 
     /// Decides the step to the next pixel: does it move along the minor axis too?

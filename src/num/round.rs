@@ -18,18 +18,13 @@ pub(crate) fn floor_div_rem(n: i32, d: NonZeroU32) -> (i32, u32) {
 ///
 /// One 32-bit division when `n` is small, else 32 steps of long division: shapes many thousand pixels wide pay for it,
 /// others do not, and no image links the 64-bit division of the runtime library.
-#[inline]
-pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
-    if n >> 32 == 0 {
-        let n = low_u32(n);
-        return (n / d, n % d);
-    }
-    long_division(n, d.get())
-}
-
 #[inline(never)]
-fn long_division(n: u64, d: u32) -> (u32, u32) {
+pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
     let (mut rest, mut low) = (low_u32(n >> 32), low_u32(n));
+    if rest == 0 {
+        return (low / d, low % d);
+    }
+    let d = d.get();
     for _ in 0..32 {
         // (rest, low) shifts left by one; the quotient grows in the places that `low` leaves.
         let carry = rest >> 31;
@@ -56,7 +51,7 @@ pub(crate) fn floor_div_rem_wide(n: i64, d: NonZeroU32) -> (i32, u32) {
 }
 
 /// `ceil((a * m - h) / b)` for `m <= b`, `h < a`, `1 <= b`: the quotient fits 32 bits as `m / b <= 1`.
-#[inline]
+#[inline(never)]
 pub(crate) fn ceil_ratio(a: u32, m: u32, h: u32, b: NonZeroU32) -> u32 {
     let n = (u64::from(a) * u64::from(m)).wrapping_sub(u64::from(h));
     let (q, r) = div_rem_wide(n, b);

@@ -115,7 +115,8 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
     let per_byte = (8 / I::BITS) as usize;
     let index = |byte: u8, i: usize| low_u8(super::packed::nth::<I>(byte, i));
     let put = |places: &mut [u8], byte: u8| {
-        for (i, place) in places.chunks_exact_mut(N).enumerate() {
+        // Not `enumerate`: its counter has an overflow check.
+        for (i, place) in (0..8).zip(places.chunks_exact_mut(N)) {
             place.copy_from_slice(&pixel(index(byte, i)));
         }
     };
@@ -123,7 +124,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
     // registers.
     let bytes_per_round = I::BITS as usize;
     for (round, bytes) in out.chunks_exact_mut(8 * N).zip(indices.chunks_exact(bytes_per_round)) {
-        for (i, (places, &byte)) in round.chunks_exact_mut(N * per_byte).zip(bytes).enumerate() {
+        for (i, (places, &byte)) in (0..8_usize).zip(round.chunks_exact_mut(N * per_byte).zip(bytes)) {
             put(places, byte);
             if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
                 keep_rolled();

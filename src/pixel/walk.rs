@@ -69,64 +69,35 @@ fn draw_pixels<const N: usize>(
     }
     let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(memory);
     let (first, last) = ((start_row / N).wrapping_add(start_x), (end_row / N).wrapping_add(end_x));
-    if steps.steep {
-        steep(pixels, first, last, stride / N, steps, pixel);
-    } else {
-        flat(pixels, first, last, stride / N, steps, pixel);
-    }
-}
-
-/// One pixel a row.
-#[inline(always)]
-fn steep<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, steps: Steps, pixel: P) {
-    let Some(pixels) = pixels.get_mut(..=last) else { return };
-    let Steps { right, len, minor, major, rest, .. } = steps;
+    let pitch = stride / N;
+    let Steps { right, len, steep, minor, major, rest, .. } = steps;
     // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
-    let length =
-        NonZeroU32::new(major).filter(|_| DIVIDES && len > 16 && major < 1 << 16 && minor != 0 && minor != major);
-    if let Some(major) = length {
+    let glides = DIVIDES && steep && len > 16 && major < 1 << 16 && minor != 0 && minor != major;
+    if let Some(major) = NonZeroU32::new(major).filter(|_| glides) {
+        let Some(pixels) = pixels.get_mut(..=last) else { return };
         let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));
-        if right {
-            glide(pixels, first, pitch, part, step, pixel);
-        } else {
-            glide(pixels, first, pitch.wrapping_sub(1), !part, step.wrapping_neg(), pixel);
-        }
-        return;
+        let (base, part, step) =
+            if right { (pitch, part, step) } else { (pitch.wrapping_sub(1), !part, step.wrapping_neg()) };
+        return glide(pixels, first, base, part, step, pixel);
     }
-    walk(pixels, first, (pitch, sideways(right)), (rest, minor, major), pixel);
-}
-
-/// One pixel a column, or more of them in a row.
-#[inline(always)]
-fn flat<P: Copy>(pixels: &mut [P], first: usize, last: usize, pitch: usize, steps: Steps, pixel: P) {
-    let Steps { right, minor, major, rest, .. } = steps;
-    let one = sideways(right);
+    let one = if right { 1 } else { usize::MAX };
     // The commoner step is the unconditional one. In the complement, the steps without a move aside are those that carry.
-    let (by, decision) = if minor <= major >> 1 {
+    let (by, decision) = if steep {
+        ((pitch, one), (rest, minor, major))
+    } else if minor <= major >> 1 {
         ((one, pitch), (rest, minor, major))
     } else {
-        let rest = !rest.wrapping_add(major);
-        ((pitch.wrapping_add(one), pitch.wrapping_neg()), (rest, major.wrapping_sub(minor), major))
+        let complement = (!rest.wrapping_add(major), major.wrapping_sub(minor), major);
+        ((pitch.wrapping_add(one), pitch.wrapping_neg()), complement)
     };
-    if right {
-        if let Some(pixels) = pixels.get_mut(..=last) {
-            walk(pixels, first, by, decision, pixel);
-        }
-        return;
-    }
-    let Some((before, from_last)) = pixels.split_at_mut_checked(last) else { return };
+    let runs_back = !steep && !right;
+    let end = if runs_back { last } else { last.wrapping_add(1) };
+    let Some((before, from_end)) = pixels.split_at_mut_checked(end) else { return };
     let at = walk(before, first, by, decision, pixel);
-    for place in from_last.get_mut(..=at.wrapping_sub(last)).unwrap_or_default() {
-        *place = pixel;
-    }
-}
-
-/// One pixel to the right, or to the left.
-const fn sideways(right: bool) -> usize {
-    if right {
-        1
-    } else {
-        usize::MAX
+    if runs_back {
+        for place in from_end.get_mut(..=at.wrapping_sub(last)).unwrap_or_default() {
+            *place = pixel;
+        }
     }
 }
 

@@ -8,7 +8,7 @@
 //! **Fill rules.** Walking along a row, [`NonZero`](FillRule::NonZero) adds 1 at an edge that goes down and takes 1 at one
 //! that goes up, and draws where the sum is not 0; [`EvenOdd`](FillRule::EvenOdd) draws where the count of edges is odd.
 //!
-//! **Lines** join two *pixels* and draw both: see [`line`].
+//! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!
 //! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 

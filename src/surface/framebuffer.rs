@@ -262,8 +262,8 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: F::Color) {
-        if let Some(area) = steps.straight() {
-            return self.fill_area(area, color);
+        if let Some(span) = steps.one_row() {
+            return self.fill_span(span, color);
         }
         let place = |(x, y)| (self.row_start(y), self.x(x));
         let (start, end) = (place(steps.first()), place(steps.last()));
