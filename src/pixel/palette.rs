@@ -114,18 +114,26 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
 fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
     let per_byte = (8 / I::BITS) as usize;
     let index = |byte: u8, i: usize| low_u8(super::packed::nth::<I>(byte, i));
+    // Plain indices: the counters of `enumerate` have overflow checks, and the set-up of `zip` divides.
     let put = |places: &mut [u8], byte: u8| {
-        // Not `enumerate`: its counter has an overflow check.
-        for (i, place) in (0..8).zip(places.chunks_exact_mut(N)) {
-            place.copy_from_slice(&pixel(index(byte, i)));
+        for i in 0..per_byte {
+            let at = i.wrapping_mul(N);
+            if let Some(place) = places.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+                *place = pixel(index(byte, i));
+            }
         }
     };
     // Eight pixels to a round. Between halves the compiler may not mix: it would load all indices first, and run out of
     // registers.
-    let bytes_per_round = I::BITS as usize;
-    for (round, bytes) in out.chunks_exact_mut(8 * N).zip(indices.chunks_exact(bytes_per_round)) {
-        for (i, (places, &byte)) in (0..8_usize).zip(round.chunks_exact_mut(N * per_byte).zip(bytes)) {
-            put(places, byte);
+    let (bytes_per_round, size) = (I::BITS as usize, N * per_byte);
+    let mut all_bytes = indices.chunks_exact(bytes_per_round);
+    for round in out.chunks_exact_mut(8 * N) {
+        let Some(bytes) = all_bytes.next() else { break };
+        for i in 0..bytes_per_round {
+            let at = i.wrapping_mul(size);
+            if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
+                put(places, byte);
+            }
             if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
                 keep_rolled();
             }

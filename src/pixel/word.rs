@@ -466,7 +466,9 @@ fn put8(to: &mut [u8; 8], from: &[u8; 8]) {
 fn copy_unaligned(to: &mut [u8], from: &[u8]) {
     match to.len() {
         16.. => {
-            for (to, from) in to.chunks_exact_mut(32).zip(from.chunks_exact(32)) {
+            let mut sources = from.chunks_exact(32);
+            for to in to.chunks_exact_mut(32) {
+                let Some(from) = sources.next() else { break };
                 if let (Some(to), Some(from)) = (to.first_chunk_mut(), from.first_chunk()) {
                     put16(to, from);
                 }
