@@ -566,3 +566,21 @@ fn surfaces_of_extreme_sizes() {
     let whole = buffer_bytes::<Rgb888>(65_535, 65_535);
     assert_eq!(whole, 65_535 * 65_535 * 3, "the size of the largest screen is known all the same");
 }
+
+/// In memory of one pixel a row, a step down and to the left is no step at all: a loop that waits for the index to leave
+/// the memory would go on for as long as the line is.
+#[test]
+fn lines_through_a_screen_one_pixel_wide() {
+    for (a, b) in [((0, 3), (i32::MIN, i32::MAX)), ((9, 0), (-1_000_000_000, 1_000_000_008)), ((5, 0), (-5, 11))] {
+        let (a, b) = (Point::new(a.0, a.1), Point::new(b.0, b.1));
+        for (a, b) in [(a, b), (b, a)] {
+            let mut ram = [0_u8; 8];
+            Framebuffer::<Gray8>::new(&mut ram, 1, 8).expect("eight bytes").draw_line(a, b, Gray8::new(1));
+            let wanted = support::twins::line((a.x, a.y), (b.x, b.y), Rect::new(0, 0, 1, 8));
+            let painted: Vec<_> = (0..8).filter(|&y| ram[y] != 0).map(|y| (0, y as i32)).collect();
+            let mut sorted = wanted.clone();
+            sorted.sort_by_key(|p| p.1);
+            assert_eq!(painted, sorted, "{a} to {b}");
+        }
+    }
+}

@@ -58,7 +58,8 @@ fn draw_pixels<const N: usize>(
 ) where
     [u8; N]: Pod,
 {
-    if !stride.is_multiple_of(N) {
+    // In rows of a single pixel a step down and aside would be no step at all.
+    if !stride.is_multiple_of(N) || stride <= N {
         let first = start_row.wrapping_add(start_x.wrapping_mul(N));
         let set = |at: usize| {
             if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
