@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
+#![allow(clippy::doc_markdown, reason = "names of programs in the tables of the README")]
 
 #[cfg(test)]
 extern crate std;
