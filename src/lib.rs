@@ -15,6 +15,7 @@ pub mod raster;
 mod rect;
 mod span;
 pub mod surface;
+mod target;
 
 pub use canvas::Canvas;
 pub use error::Error;

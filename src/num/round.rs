@@ -58,12 +58,6 @@ pub(crate) fn ceil_ratio(a: u32, m: u32, h: u32, b: NonZeroU32) -> u32 {
     q.wrapping_add(u32::from(r != 0))
 }
 
-/// Whether the chip divides in hardware: Armv7-M and later do (and have atomic compare-and-swap), Armv6-M does not. Only
-/// a hint for speed: it chooses between ways to the same pixels. `RUSTFLAGS="--cfg small_core" cargo test` takes the ways of
-/// small cores on any machine.
-#[allow(unexpected_cfgs, reason = "`small_core` is set by hand, for tests")]
-pub(crate) const DIVIDES: bool = cfg!(not(any(small_core, all(target_arch = "arm", not(target_has_atomic = "32")))));
-
 /// `ceil(2^32 n / d)` for `n < d < 2^16`, in two 32-bit divisions.
 #[inline]
 pub(crate) fn fraction(n: u32, d: NonZeroU32) -> u32 {

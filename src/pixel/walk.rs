@@ -18,9 +18,10 @@ use super::{
 use crate::{
     num::{
         cast::{low_u16, low_u8},
-        round::{fraction, DIVIDES},
+        round::fraction,
     },
     span::Steps,
+    target::{COMPACT, DIVIDES},
 };
 
 /// Writes `bits` along `steps`, from byte and pixel `start` to byte and pixel `end`, both in rows `stride` bytes apart.
@@ -73,7 +74,7 @@ fn draw_pixels<const N: usize>(
     let pitch = stride / N;
     let Steps { right, len, steep, minor, major, rest, .. } = steps;
     // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
-    let glides = DIVIDES && steep && len > 16 && major < 1 << 16 && minor != 0 && minor != major;
+    let glides = DIVIDES && !COMPACT && steep && len > 16 && major < 1 << 16 && minor != 0 && minor != major;
     if let Some(major) = NonZeroU32::new(major).filter(|_| glides) {
         let Some(pixels) = pixels.get_mut(..=last) else { return };
         let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));

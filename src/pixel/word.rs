@@ -9,22 +9,10 @@ use core::{hint::black_box, mem::take};
 use bytemuck::{cast_mut, cast_ref, pod_align_to, pod_align_to_mut};
 
 use super::{bytes_per_pixel, PixelFormat};
-use crate::num::cast::{low_u16, low_u8};
-
-/// Cores that store words at any address. Only a hint for speed: both sides of every test draw the same bytes.
-/// (Among the Cortex-M, atomic compare-and-swap tells Armv7-M and later from Armv6-M. As for `small_core`, see
-/// [`DIVIDES`](crate::num::round::DIVIDES).)
-#[allow(unexpected_cfgs, reason = "`small_core` is set by hand, for tests")]
-pub(super) const UNALIGNED: bool = cfg!(all(
-    not(small_core),
-    any(
-        all(target_arch = "arm", target_has_atomic = "32"),
-        target_arch = "x86",
-        target_arch = "x86_64",
-        target_arch = "aarch64",
-        target_arch = "wasm32"
-    )
-));
+use crate::{
+    num::cast::{low_u16, low_u8},
+    target::UNALIGNED,
+};
 
 /// Keeps the loop around it as it is written: an empty piece of assembly, without instructions. Unrolled at run time, a
 /// loop of four instructions gets ten of prologue, and multiple stores are taken apart.

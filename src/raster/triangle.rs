@@ -27,11 +27,12 @@ use crate::{
     geom::{bits, Vertex},
     num::{
         cast::{narrow, unsigned},
-        round::{compare_products, difference, first_centre_from, DIVIDES},
+        round::{compare_products, difference, first_centre_from},
         stepper::Stepper,
     },
     rect::Rect,
     span::{ClippedSpan, Span},
+    target::{COMPACT, DIVIDES},
 };
 
 /// Emits the spans of a filled triangle that lie in `window`, top row first.
@@ -49,7 +50,7 @@ use crate::{
 /// ```
 #[inline]
 pub fn fill(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
-    if DIVIDES {
+    if DIVIDES && !COMPACT {
         fill_by::<Quotients>(corners, window, emit);
     } else {
         fill_by::<Stepper>(corners, window, emit);

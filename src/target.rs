@@ -1,0 +1,17 @@
+//! What is known of the chip and of the build. Hints for speed and size only: they choose between ways to the same pixels.
+//!
+//! `RUSTFLAGS="--cfg small_core --cfg compact" cargo test` takes the ways of small cores and small images on any machine.
+
+/// Armv7-M and later. Among the Cortex-M, atomic compare-and-swap tells them from Armv6-M.
+const ARMV7: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
+/// Whether the chip divides in hardware. Armv6-M does not.
+pub(crate) const DIVIDES: bool = cfg!(not(any(small_core, target_arch = "arm"))) || !cfg!(small_core) && ARMV7;
+
+/// Cores that load and store words at any address.
+pub(crate) const UNALIGNED: bool = !cfg!(small_core)
+    && (ARMV7
+        || cfg!(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")));
+
+/// Built for size, at opt-level "s" or "z" (see `build.rs`): one short loop is better than three fast ones.
+pub(crate) const COMPACT: bool = cfg!(compact);
