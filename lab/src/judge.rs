@@ -178,7 +178,7 @@ impl Judge for Job {
             Self::BitRectangle(area) => all(&|x, y| area.contains(x, y)),
             Self::BitTriangle(triangle) => triangle_mask(given("canvas", triangle)),
             Self::Blit(at) | Self::BlitKeyed(at) => all(&|x, y| sprite(*at, x, y)),
-            Self::Text(at) => {
+            Self::Text(at) | Self::Glyphs(at) => {
                 let mut pixels = Pixels(vec![false; (WIDTH * HEIGHT) as usize]);
                 memory::text(&mut pixels, *at, BinaryColor::On, BinaryColor::Off);
                 Mask::from_pixels(pixels.0.into_iter())

@@ -137,8 +137,10 @@ pub(crate) enum Job {
     Blit(Point),
     /// The same, its holes transparent.
     BlitKeyed(Point),
-    /// A label with its background; only the letters count as pixels.
+    /// A label with its background, drawn by embedded-graphics on whatever target; only the letters count as pixels.
     Text(Point),
+    /// The same label, drawn by this crate as masks of one bit.
+    Glyphs(Point),
 }
 
 impl Job {

@@ -213,6 +213,7 @@ fn comb(rng: &mut Rng) -> Polygon {
 /// Memory at 16 bits and at one.
 pub(crate) fn memory(quick: bool) -> Vec<Workload<Job>> {
     let count = judged(100, quick);
+    let label = |rng: &mut Rng| Point::new(rng.int(0, 150), rng.int(10, HEIGHT - 10));
     let near = |rng: &mut Rng| Point::new(rng.int(0, WIDTH - SPRITE), rng.int(0, HEIGHT - SPRITE));
     vec![
         Workload::new("lines, 1 bit", (40, count), false, |rng| Job::BitLine(screen_line(rng))),
@@ -223,9 +224,8 @@ pub(crate) fn memory(quick: bool) -> Vec<Workload<Job>> {
         Workload::new("triangles of 20,000 px, 1 bit", (12, count), false, |rng| Job::BitTriangle(large_triangle(rng))),
         Workload::new("blit 64 x 64", (40, count), false, |rng| Job::Blit(near(rng))),
         Workload::new("blit 64 x 64, colour key", (40, count), false, |rng| Job::BlitKeyed(near(rng))),
-        Workload::new("opaque text", (12, count), false, |rng| {
-            Job::Text(Point::new(rng.int(0, 150), rng.int(10, HEIGHT - 10)))
-        }),
+        Workload::new("opaque text", (12, count), false, |rng| Job::Text(label(rng))),
+        Workload::new("opaque text as masks", (12, count), false, |rng| Job::Glyphs(label(rng))),
     ]
 }
 

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use embedded_graphics::{
     framebuffer::{buffer_size, Framebuffer as GraphicsFrame},
     image::{GetPixel, Image, ImageRaw},
-    mono_font::{ascii::FONT_6X10, MonoTextStyleBuilder},
+    mono_font::{ascii::FONT_6X10, MonoFont, MonoTextStyleBuilder},
     pixelcolor::{
         raw::{LittleEndian, RawU1},
         BinaryColor, Rgb565,
@@ -40,10 +40,29 @@ fn sprite() -> Vec<u8> {
     (0..SPRITE * SPRITE).flat_map(|i| bit(i).to_le_bytes()).collect()
 }
 
+const FONT: MonoFont = FONT_6X10;
+const LABEL: &str = "Quick brown fox 0123456789";
+
 /// A label with its background.
 pub(crate) fn text<D: DrawTarget<Error = Infallible>>(target: &mut D, at: Point, color: D::Color, ground: D::Color) {
-    let style = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(color).background_color(ground).build();
-    let Ok(_) = Text::new("Quick brown fox 0123456789", at, style).draw(target);
+    let style = MonoTextStyleBuilder::new().font(&FONT).text_color(color).background_color(ground).build();
+    let Ok(_) = Text::new(LABEL, at, style).draw(target);
+}
+
+/// The pictures of a font: of character c the row c - 32.
+fn glyphs() -> Vec<[u8; 10]> {
+    let (size, image) = (FONT.character_size, FONT.image);
+    let columns = image.size().width / size.width;
+    let glyph = |c: char| {
+        let index = FONT.glyph_mapping.index(c) as u32;
+        let corner = Point::new((index % columns * size.width) as i32, (index / columns * size.height) as i32);
+        let row = |y: usize| {
+            let bit = |x: u32| image.pixel(corner + Point::new(x as i32, y as i32)) == Some(BinaryColor::On);
+            (0..size.width).map(|x| u8::from(bit(x)) << (7 - x)).sum()
+        };
+        std::array::from_fn(row)
+    };
+    (' '..='~').map(glyph).collect()
 }
 
 /// This crate, at 16 bits and at one.
@@ -51,13 +70,14 @@ struct Own {
     colors: Vec<u8>,
     bits: Vec<u8>,
     sprite: Vec<u8>,
+    glyphs: Vec<[u8; 10]>,
 }
 
 impl Own {
     fn new() -> Self {
         let (width, height) = (WIDTH as u16, HEIGHT as u16);
         let (colors, bits) = (buffer_bytes::<Rgb565>(width, height), buffer_bytes::<BinaryColor>(width, height));
-        Self { colors: vec![0; colors], bits: vec![0; bits], sprite: sprite() }
+        Self { colors: vec![0; colors], bits: vec![0; bits], sprite: sprite(), glyphs: glyphs() }
     }
 }
 
@@ -75,6 +95,14 @@ impl Engine<Job> for Own {
                 Job::Blit(at) => colors.blit(*at, &sprite),
                 Job::BlitKeyed(at) => colors.blit_keyed(*at, &sprite, Rgb565::BLACK),
                 Job::Text(at) => text(colors, *at, ink(), Rgb565::BLACK),
+                Job::Glyphs(at) => {
+                    let mut at = *at - Point::new(0, FONT.baseline as i32);
+                    for c in LABEL.bytes() {
+                        let glyph = Bitmap::<BinaryColor>::new(&self.glyphs[usize::from(c - b' ')], 6, 10);
+                        colors.blit_mask(at, &glyph.expect("ten rows of a byte"), ink(), Rgb565::BLACK);
+                        at.x += 6;
+                    }
+                }
             }
         }
     }
@@ -124,7 +152,7 @@ impl Engine<Job> for Graphics {
                     let pixels = area.points().filter_map(|p| Some(Pixel(p, sprite.pixel(p - *at)?))).filter(opaque);
                     let Ok(()) = colors.draw_iter(pixels);
                 }
-                Job::Text(at) => text(colors.as_mut(), *at, ink(), Rgb565::BLACK),
+                Job::Text(at) | Job::Glyphs(at) => text(colors.as_mut(), *at, ink(), Rgb565::BLACK),
             }
         }
     }
