@@ -11,7 +11,13 @@
 //!    y
 //! ```
 
+pub mod clip;
+pub mod exact;
+pub mod polygon;
+
 mod vertex;
+mod viewport;
 
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
+pub use viewport::Viewport;
