@@ -12,8 +12,10 @@
 //! ```
 
 pub mod clip;
+pub mod delaunay;
 pub mod exact;
 pub mod polygon;
+pub mod triangulate;
 
 mod vertex;
 mod viewport;
