@@ -47,6 +47,27 @@ pub enum Error {
         /// The first such row.
         row: i32,
     },
+    /// Two sides of a polygon that was to be triangulated cross. Each is given by the number of the vertex where it starts.
+    SidesCross {
+        /// The one that starts first.
+        first: usize,
+        /// The other.
+        second: usize,
+    },
+    /// A polygon that was to be triangulated takes more nodes than the table holds.
+    NodeTableFull {
+        /// Slots of the table, 65,535 of them at most.
+        capacity: usize,
+        /// Nodes that are enough.
+        needed: usize,
+    },
+    /// A table that holds one slot for each triangle is too small.
+    TriangleTableFull {
+        /// Slots of the table.
+        capacity: usize,
+        /// Slots that are enough.
+        needed: usize,
+    },
 }
 
 impl fmt::Display for Error {
@@ -61,6 +82,15 @@ impl fmt::Display for Error {
             }
             Self::EdgeTableFull { capacity, needed, row } => {
                 write!(f, "edge table full: {needed} edges cross row {row}, the table holds {capacity}")
+            }
+            Self::SidesCross { first, second } => {
+                write!(f, "sides cross: the one from vertex {first} and the one from vertex {second}")
+            }
+            Self::NodeTableFull { capacity, needed } => {
+                write!(f, "node table full: {needed} nodes needed, the table holds {capacity}")
+            }
+            Self::TriangleTableFull { capacity, needed } => {
+                write!(f, "triangle table full: {needed} slots needed, the table holds {capacity}")
             }
         }
     }

@@ -25,6 +25,12 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     eg::{draw_on, recolored},
+    geom::{
+        clip, delaunay, exact,
+        polygon::{contains, is_convex, orientation, twice_area},
+        triangulate::{self, Node},
+        Viewport,
+    },
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
     raster::{line, polygon, rectangle, triangle},
     surface::{paged_bytes, Counter, Paged},
@@ -218,6 +224,46 @@ fn polygons_without_a_window() {
     // Rows without end, and no slot at all.
     let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| Vertex::from_bits(x, y));
     assert!(polygon::fill([&huge], FillRule::EvenOdd, everything, &mut [], look).is_err(), "no slots");
+}
+
+#[test]
+fn polygon_tools() {
+    let mut rng = Rng::new(115);
+    for _ in 0..100_000 {
+        let outline: Vec<Vertex> = (0..rng.index(9)).map(|_| wild_vertex(&mut rng)).collect();
+        black_box((is_convex(&outline), twice_area(&outline), orientation(&outline)));
+        black_box(contains([&outline], FillRule::NonZero, wild_vertex(&mut rng)));
+        let [a, b, c, d] = [(); 4].map(|()| wild_vertex(&mut rng));
+        black_box((exact::turn(a, b, c), exact::in_circle(a, b, c, d), clip::segment(a, b, [c, d])));
+        let [low, high, at] = [(); 3].map(|()| [wild(&mut rng), wild(&mut rng)]);
+        let view = Viewport::from_bits(low, high, wild_rect(&mut rng)).with_y_up();
+        black_box((view.vertex_from_bits(at), view.place_bits(a), view.place(b)));
+    }
+}
+
+/// Contours in any pieces, tables of any size, and triangles that are none.
+#[test]
+fn triangulations() {
+    let mut rng = Rng::new(116);
+    for _ in 0..60_000 {
+        let coarse = rng.one_in(2);
+        let place = |rng: &mut Rng| if coarse { Vertex::px(rng.int(0, 3), rng.int(0, 3)) } else { wild_vertex(rng) };
+        let vertices: Vec<Vertex> = (0..rng.index(12)).map(|_| place(&mut rng)).collect();
+        let starts: Vec<u16> =
+            (0..rng.index(4)).map(|_| if rng.one_in(9) { wild_u16(&mut rng) } else { rng.below(13) as u16 }).collect();
+        let mut nodes = vec![Node::EMPTY; rng.index(60)];
+        let mut triangles = vec![[0; 3]; rng.index(40)];
+        match triangulate::list(&vertices, &starts, &mut nodes, &mut triangles) {
+            Ok(count) => triangles.truncate(count),
+            Err(error) => {
+                black_box(format!("{error} {error:?}"));
+                // What is no triangulation is refined, too.
+                triangles.fill_with(|| [(); 3].map(|()| rng.below(14) as u16));
+            }
+        }
+        let mut neighbours = vec![[0; 3]; rng.index(50)];
+        black_box(delaunay::refine(&vertices, &mut triangles, &mut neighbours).is_ok());
+    }
 }
 
 /// Everything that a framebuffer of a format can be asked to do.

@@ -11,7 +11,15 @@
 //!    y
 //! ```
 
+pub mod clip;
+pub mod delaunay;
+pub mod exact;
+pub mod polygon;
+pub mod triangulate;
+
 mod vertex;
+mod viewport;
 
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
+pub use viewport::Viewport;

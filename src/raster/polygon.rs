@@ -25,26 +25,7 @@ use crate::{
     span::{ClippedSpan, Span},
 };
 
-/// Which regions of a contour that crosses itself, or of several contours, are inside.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub enum FillRule {
-    /// Where the contours wind around the place, in either direction.
-    #[default]
-    NonZero,
-    /// Where an odd number of sides lies to the left.
-    EvenOdd,
-}
-
-impl FillRule {
-    /// The bits of the winding number that tell inside from outside.
-    #[inline(always)]
-    fn mask(self) -> i32 {
-        match self {
-            Self::NonZero => -1,
-            Self::EvenOdd => 1,
-        }
-    }
-}
+pub use crate::geom::polygon::FillRule;
 
 /// Emits the spans of a filled polygon that lie in `window`, top row first and each row from left to right.
 ///

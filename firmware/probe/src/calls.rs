@@ -9,6 +9,12 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use embedded_raster::{
+    geom::{
+        clip::{self, Part},
+        delaunay, exact, polygon,
+        triangulate::{self, Node},
+        Viewport,
+    },
     pixel::{Be, Lsb0, Xrgb8888},
     raster::triangle,
     surface::{Counter, Paged},
@@ -203,4 +209,68 @@ pub extern "C" fn palette(p: &mut Palette<Rgb888, 16>, range: [usize; 2], by: us
     p.rotate(range[0]..range[1], by);
     p.set(index, Rgb888::unpack(bits));
     p.nearest(p.get(index).unwrap_or_default())
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn triangulate(
+    v: *const Vertex,
+    n: usize,
+    s: *const u16,
+    further: usize,
+    nodes: *mut Node,
+    slots: usize,
+    t: *mut [u16; 3],
+    most: usize,
+) -> usize {
+    let (vertices, starts) = (slice::from_raw_parts(v, n), slice::from_raw_parts(s, further));
+    let (nodes, triangles) = (slice::from_raw_parts_mut(nodes, slots), slice::from_raw_parts_mut(t, most));
+    let mut sum = 0_usize;
+    let each = triangulate::each(vertices, starts, nodes, |[a, ..]| sum = sum.wrapping_add(a.into()));
+    match each.and_then(|()| triangulate::list(vertices, starts, nodes, triangles)) {
+        Ok(count) => count,
+        Err(_) => sum,
+    }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn refine(
+    v: *const Vertex,
+    n: usize,
+    t: *mut [u16; 3],
+    count: usize,
+    s: *mut [u16; 3],
+    slots: usize,
+) -> u32 {
+    let (triangles, neighbours) = (slice::from_raw_parts_mut(t, count), slice::from_raw_parts_mut(s, slots));
+    delaunay::refine(slice::from_raw_parts(v, n), triangles, neighbours).unwrap_or(0)
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn outline(v: *const Vertex, n: usize, at: [i32; 2], area: &mut i128) -> u8 {
+    let outline = slice::from_raw_parts(v, n);
+    *area = polygon::twice_area(outline);
+    let inside = polygon::contains([outline], FillRule::EvenOdd, vertex(at));
+    let inside = inside | polygon::contains([outline], FillRule::NonZero, vertex(at));
+    polygon::is_convex(outline) as u8 | (inside as u8) << 1 | (polygon::orientation(outline).is_lt() as u8) << 2
+}
+
+#[no_mangle]
+pub extern "C" fn signs(p: [[i32; 2]; 4]) -> bool {
+    let [a, b, c, d] = p.map(vertex);
+    exact::turn(a, b, c).is_lt() ^ exact::in_circle(a, b, c, d).is_lt()
+}
+
+#[no_mangle]
+pub extern "C" fn clip_segment(p: [[i32; 2]; 4], out: &mut Option<Part>) {
+    let [a, b, c, d] = p.map(vertex);
+    *out = clip::segment(a, b, [c, d]);
+}
+
+#[no_mangle]
+pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut Vertex) -> i32 {
+    let [x0, y0, x1, y1] = area;
+    let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
+    *out = view.vertex_from_bits(at);
+    let [x, y] = view.place_bits(vertex(at));
+    x ^ y
 }

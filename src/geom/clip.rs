@@ -1,0 +1,118 @@
+//! Segments cut at the sides of a rectangle.
+//!
+//! A place on the segment from `a` to `b` is `a + t (b - a)`. Of the two sides that it can enter through it enters last
+//! through the one with the larger `t`, and it leaves through the one with the smaller: fractions of whole numbers, compared
+//! exactly. Where it enters after it left, they have nothing in common.
+//! ```text
+//!            |      | b          t = (x0 - ax) / (bx - ax) on the left side; likewise on the others
+//!       y0 --+------o--
+//!            |   /  |            the place on the border has the exact coordinate of the side, x0 here,
+//!            o      |            and the other one rounded to the nearest unit: up to 1/512 pixel off, never outside
+//!         /  |      |
+//!       a   x0      x1
+//! ```
+//! To draw a clipped *line* there is no need of this: [`line::clip`](crate::raster::line::clip) keeps every pixel where it
+//! was, while a line between rounded ends may differ by pixels.
+//!
+//! Range: any `I24F8`. A fraction has two 32-bit numbers; products have 64 bits; each end off a side takes one long
+//! division.
+//!
+//! Source: Y.-D. Liang and B. A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics 3, 1984.
+
+use core::num::NonZeroU32;
+
+use super::{bits, Vertex};
+use crate::num::round::div_rem_wide;
+
+/// How far along a segment a place lies: `number / of`, from 0 to 1.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Fraction {
+    /// The numerator, at most `of`.
+    pub number: u32,
+    /// The denominator.
+    pub of: NonZeroU32,
+}
+
+impl Fraction {
+    const ZERO: Self = Self { number: 0, of: NonZeroU32::MIN };
+    const ONE: Self = Self { number: 1, of: NonZeroU32::MIN };
+
+    /// Exactly.
+    fn is_more_than(self, other: Self) -> bool {
+        let product = |a: u32, b: NonZeroU32| u64::from(a) * u64::from(b.get());
+        product(self.number, other.of) > product(other.number, self.of)
+    }
+}
+
+/// The part of a segment that lies in a rectangle.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its ends, in the direction of the segment, rounded to the nearest unit and never outside.
+    pub ends: [Vertex; 2],
+    /// Where they are on the segment, exactly.
+    pub at: [Fraction; 2],
+}
+
+/// The part of the segment from `a` to `b` that lies in the rectangle between two opposite corners, its sides included;
+/// `None` if it has no place in common with it.
+///
+/// Coordinates halfway between two units are rounded to the larger one, so `b` to `a` gives the same ends, exchanged. An
+/// end of the segment that lies inside stays as it is.
+/// ```
+/// use embedded_raster::{geom::clip, Vertex};
+/// let corners = [Vertex::px(0, 0), Vertex::px(10, 10)];
+/// let part = clip::segment(Vertex::px(-5, 2), Vertex::px(10, 5), corners).unwrap();
+/// assert_eq!(part.ends, [Vertex::px(0, 3), Vertex::px(10, 5)]);
+/// assert_eq!((part.at[0].number, part.at[0].of.get()), (5 * 256, 15 * 256));
+/// assert_eq!(clip::segment(Vertex::px(-5, 4), Vertex::px(4, -5), corners), None);
+/// let touch = clip::segment(Vertex::px(-5, 5), Vertex::px(5, -5), corners).unwrap();
+/// assert_eq!(touch.ends, [Vertex::px(0, 0); 2]);
+/// ```
+pub fn segment(a: Vertex, b: Vertex, corners: [Vertex; 2]) -> Option<Part> {
+    let ((ax, ay), (bx, by)) = (bits(a), bits(b));
+    let [(px, py), (qx, qy)] = corners.map(bits);
+    let (mut from, mut to) = (Fraction::ZERO, Fraction::ONE);
+    for (a, b, low, high) in [(ax, bx, px.min(qx), px.max(qx)), (ay, by, py.min(qy), py.max(qy))] {
+        let (enter, leave) = if a <= b { (low, high) } else { (high, low) };
+        let backwards = a > b;
+        // Where the whole segment lies before the one side or beyond the other, there is no part.
+        if is_before(b, enter, backwards) || is_before(leave, a, backwards) {
+            return None;
+        }
+        if is_before(a, enter, backwards) {
+            from = fraction(a, b, enter).filter(|t| t.is_more_than(from)).unwrap_or(from);
+        }
+        if is_before(leave, b, backwards) {
+            to = fraction(a, b, leave).filter(|&t| to.is_more_than(t)).unwrap_or(to);
+        }
+    }
+    let at = [from, to];
+    let place = |t| Vertex::from_bits(along(ax, bx, t), along(ay, by, t));
+    (!from.is_more_than(to)).then(|| Part { ends: at.map(place), at })
+}
+
+/// Whether a segment that goes up, or backwards, passes `p` before `q`.
+fn is_before(p: i32, q: i32, backwards: bool) -> bool {
+    if backwards {
+        p > q
+    } else {
+        p < q
+    }
+}
+
+/// Where a segment from `a` to `b` passes `side`, which lies between them.
+fn fraction(a: i32, b: i32, side: i32) -> Option<Fraction> {
+    Some(Fraction { number: side.abs_diff(a), of: NonZeroU32::new(b.abs_diff(a))? })
+}
+
+/// `a + t (b - a)`, rounded to nearest, halves up.
+fn along(a: i32, b: i32, t: Fraction) -> i32 {
+    let (whole, rest) = div_rem_wide(u64::from(b.abs_diff(a)) * u64::from(t.number), t.of);
+    // Up is away from a, or towards it: then a half does not count.
+    let left = t.of.get().wrapping_sub(rest);
+    if a <= b {
+        a.wrapping_add_unsigned(whole.wrapping_add(u32::from(rest >= left)))
+    } else {
+        a.wrapping_sub_unsigned(whole.wrapping_add(u32::from(rest > left)))
+    }
+}

@@ -1,0 +1,109 @@
+//! Loops: which are holes, and the bridges that join them to what surrounds them.
+
+use core::cmp::Ordering;
+
+use super::{down, in_sector, Mesh, Node};
+use crate::{
+    geom::exact::{turn_at, Place},
+    num::round::difference,
+};
+
+/// The node was seen on its loop.
+const SEEN: u16 = 1;
+
+impl Mesh<'_> {
+    /// Joins every loop that goes round a hole to one that lies further left, and so in the end to an outline.
+    pub(super) fn bridge_holes(&mut self) {
+        for i in self.numbers() {
+            if self.node(i).flags & SEEN == 0 {
+                let (area, leftmost) = self.survey(i);
+                if area < 0 {
+                    self.bridge(leftmost);
+                }
+            }
+        }
+    }
+
+    /// Twice the area of a loop, and its leftmost vertex, the uppermost of several.
+    fn survey(&mut self, start: u16) -> (i128, u16) {
+        let (mut area, mut leftmost) = (0_i128, self.node(start).vertex);
+        self.walk(start, start, |mesh, i| {
+            let [before, at, after] = mesh.corner(i);
+            area = area.wrapping_add(i128::from(i64::from(at.0).wrapping_mul(difference(after.1, before.1))));
+            if at < mesh.place(leftmost) {
+                leftmost = mesh.node(i).vertex;
+            }
+            mesh.set(i, |node| node.flags |= SEEN);
+        });
+        (area, leftmost)
+    }
+
+    /// Joins the hole whose leftmost vertex this is to a corner that it sees on its left, there and back.
+    fn bridge(&mut self, hole: u16) {
+        let Some(corner) = self.seen_from(hole) else { return };
+        let node_at = |vertex: u16, towards: u16| {
+            let place = self.place(towards);
+            self.numbers().find(|&i| self.node(i).vertex == vertex && in_sector(self.corner(i), place))
+        };
+        let (Some(from), Some(to)) = (node_at(corner, hole), node_at(hole, corner)) else { return };
+        let (after, before) = (self.node(from).next, self.node(to).prev);
+        let back = self.push(Node { vertex: hole, flags: SEEN, ..Node::EMPTY });
+        let on = self.push(Node { vertex: corner, flags: SEEN, ..Node::EMPTY });
+        self.join(from, to);
+        self.join(before, back);
+        self.join(back, on);
+        self.join(on, after);
+    }
+
+    /// A vertex left of a hole that can be joined to its leftmost vertex without crossing a side.
+    ///
+    /// The ray to the left from there hits a side; take the end of it that lies further left. If other vertices are in the
+    /// triangle of the two and the place that was hit, the one seen closest to the ray hides them all.
+    fn seen_from(&self, hole: u16) -> Option<u16> {
+        let h = self.place(hole);
+        let (upper, lower) = self.side_left_of(h)?;
+        let (u, v) = (self.place(upper), self.place(lower));
+        let is_above = u.0 <= v.0;
+        let closer = if is_above { Ordering::Less } else { Ordering::Greater };
+        let mut best = if is_above { upper } else { lower };
+        for i in self.numbers() {
+            let vertex = self.node(i).vertex;
+            let (p, goal) = (self.place(vertex), self.place(best));
+            let in_reach = p != h && (down(p) < down(h)) == is_above && turn_at(u, v, p) == Ordering::Less;
+            if !in_reach {
+                continue;
+            }
+            let turn = turn_at(h, goal, p);
+            let is_nearer = h.0.abs_diff(p.0) < h.0.abs_diff(goal.0);
+            if turn == closer || turn == Ordering::Equal && is_nearer {
+                best = vertex;
+            }
+        }
+        Some(best)
+    }
+
+    /// The side that the ray from a place to the left hits first, from its upper end to its lower.
+    fn side_left_of(&self, h: Place) -> Option<(u16, u16)> {
+        let mut nearest = None;
+        for i in self.numbers() {
+            let node = self.node(i);
+            let side = self.downwards(node.vertex, self.node(node.next).vertex);
+            let (u, v) = (self.place(side.0), self.place(side.1));
+            let is_left = down(u) < down(h) && down(h) < down(v) && turn_at(u, v, h) == Ordering::Less;
+            if is_left && nearest.is_none_or(|other| self.is_right_of(side, other)) {
+                nearest = Some(side);
+            }
+        }
+        nearest
+    }
+
+    /// Whether a side lies right of another one on the rows that they share; they do not cross.
+    fn is_right_of(&self, side: (u16, u16), other: (u16, u16)) -> bool {
+        let [u, v, other_u, other_v] = [side.0, side.1, other.0, other.1].map(|vertex| self.place(vertex));
+        match down(u).cmp(&down(other_u)) {
+            Ordering::Less => turn_at(u, v, other_u) == Ordering::Greater,
+            Ordering::Equal => turn_at(other_u, other_v, v) == Ordering::Less,
+            Ordering::Greater => turn_at(other_u, other_v, u) == Ordering::Less,
+        }
+    }
+}

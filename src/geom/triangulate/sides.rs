@@ -1,0 +1,227 @@
+//! Sides: where they cross and touch; then a set of them that share nothing but ends, each with the inside on its right.
+
+use core::cmp::Ordering;
+
+use super::{down, in_sector, Mesh, Node};
+use crate::geom::{
+    bits,
+    exact::{turn_at, Place},
+    Vertex,
+};
+
+/// The sides of all contours, as the numbers of the vertices where they start and end.
+#[derive(Copy, Clone)]
+pub(super) struct Sides<'a> {
+    vertices: &'a [Vertex],
+    starts: &'a [u16],
+    /// The contour: its first vertex, the next side, and the vertex after its last.
+    first: usize,
+    at: usize,
+    end: usize,
+}
+
+impl<'a> Sides<'a> {
+    /// Contours that would end before they start, or after the last vertex, are empty.
+    pub(super) fn new(vertices: &'a [Vertex], starts: &'a [u16]) -> Self {
+        let mut sides = Self { vertices, starts, first: 0, at: 0, end: 0 };
+        sides.next_contour();
+        sides
+    }
+
+    pub(super) fn vertices(&self) -> &'a [Vertex] {
+        self.vertices
+    }
+
+    /// Sides in all: every vertex starts one.
+    pub(super) fn count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// False after the last one.
+    fn next_contour(&mut self) -> bool {
+        if self.at == self.vertices.len() {
+            return false;
+        }
+        (self.first, self.at) = (self.end, self.end);
+        self.end = match self.starts.split_first() {
+            Some((&start, rest)) => {
+                self.starts = rest;
+                usize::from(start).clamp(self.end, self.vertices.len().max(self.end))
+            }
+            None => self.vertices.len(),
+        };
+        true
+    }
+
+    fn next(&mut self) -> Option<(usize, usize)> {
+        while self.at >= self.end {
+            if !self.next_contour() {
+                return None;
+            }
+        }
+        let at = self.at;
+        self.at = at.wrapping_add(1);
+        Some((at, if self.at < self.end { self.at } else { self.first }))
+    }
+
+    fn place(&self, vertex: usize) -> Place {
+        self.vertices.get(vertex).copied().map_or((0, 0), bits)
+    }
+
+    /// The first two sides that cross at a place inside of both, by the vertices where they start.
+    pub(super) fn crossing(mut self) -> Option<(usize, usize)> {
+        while let Some((first, end)) = self.next() {
+            let (a, b) = (self.place(first), self.place(end));
+            let mut others = self;
+            while let Some((second, end)) = others.next() {
+                if cross(a, b, self.place(second), self.place(end)) {
+                    return Some((first, second));
+                }
+            }
+        }
+        None
+    }
+
+    /// How often a vertex lies on a side between its ends, those at the same place counted once.
+    pub(super) fn touches(mut self) -> usize {
+        let mut count = 0_usize;
+        while let Some((from, to)) = self.next() {
+            let (a, b) = (self.place(from), self.place(to));
+            for vertex in 0..self.vertices.len() {
+                if is_between(a, b, self.place(vertex)) && self.first_at(vertex) == vertex {
+                    count = count.saturating_add(1);
+                }
+            }
+        }
+        count
+    }
+
+    /// The first vertex at the place of another.
+    fn first_at(&self, vertex: usize) -> usize {
+        let place = self.place(vertex);
+        self.vertices.iter().position(|&v| bits(v) == place).unwrap_or(vertex)
+    }
+}
+
+/// Whether the boxes of two sides have a place in common.
+#[inline(always)]
+fn boxes_meet((a, b): (Place, Place), (c, d): (Place, Place)) -> bool {
+    let meet = |a: i32, b: i32, c: i32, d: i32| a.min(b) <= c.max(d) && c.min(d) <= a.max(b);
+    meet(a.0, b.0, c.0, d.0) && meet(a.1, b.1, c.1, d.1)
+}
+
+/// Whether the sides `ab` and `cd` cross at a place inside of both.
+fn cross(a: Place, b: Place, c: Place, d: Place) -> bool {
+    let apart = |p: Ordering, q: Ordering| p != Ordering::Equal && p == q.reverse();
+    boxes_meet((a, b), (c, d)) && apart(turn_at(a, b, c), turn_at(a, b, d)) && apart(turn_at(c, d, a), turn_at(c, d, b))
+}
+
+/// Whether `p` lies on the side `ab`, but not at an end.
+fn is_between(a: Place, b: Place, p: Place) -> bool {
+    boxes_meet((a, b), (p, p)) && p != a && p != b && turn_at(a, b, p) == Ordering::Equal
+}
+
+impl Mesh<'_> {
+    /// Loads the sides that are not a mere place, with the first vertex of each place for all of them.
+    pub(super) fn load(&mut self, mut sides: Sides<'_>) {
+        let all = sides;
+        let number = |vertex: usize| u16::try_from(all.first_at(vertex)).unwrap_or(u16::MAX);
+        while let Some((from, to)) = sides.next() {
+            let (vertex, end) = (number(from), number(to));
+            if vertex != end {
+                self.push(Node { vertex, end, ..Node::EMPTY });
+            }
+        }
+    }
+
+    /// Splits sides at the vertices that lie on them.
+    pub(super) fn split(&mut self) {
+        let mut i = 0;
+        // The parts that are added here are looked at in their turn.
+        while usize::from(i) < self.len {
+            for vertex in 0..u16::try_from(self.vertices.len()).unwrap_or(u16::MAX) {
+                let side = self.node(i);
+                if is_between(self.place(side.vertex), self.place(side.end), self.place(vertex)) {
+                    // As vertices are looked at in order, it is the first at its place.
+                    self.set(i, |node| node.end = vertex);
+                    self.push(Node { vertex, ..side });
+                }
+            }
+            i = i.saturating_add(1);
+        }
+    }
+
+    /// Takes out sides that lie on each other, two by two.
+    pub(super) fn cancel(&mut self) {
+        let mut i = 0;
+        while usize::from(i) < self.len {
+            let side = self.node(i);
+            let same = |other: Node| {
+                (other.vertex, other.end) == (side.vertex, side.end)
+                    || (other.end, other.vertex) == (side.vertex, side.end)
+            };
+            match self.numbers().skip(usize::from(i).wrapping_add(1)).find(|&j| same(self.node(j))) {
+                Some(j) => {
+                    self.remove(j);
+                    self.remove(i);
+                }
+                None => i = i.saturating_add(1),
+            }
+        }
+    }
+
+    /// Puts the last side in place of another.
+    fn remove(&mut self, i: u16) {
+        self.len = self.len.saturating_sub(1);
+        let last = self.nodes.get(self.len).copied().unwrap_or(Node::EMPTY);
+        self.set(i, |node| *node = last);
+    }
+
+    /// Turns every side so that the inside lies on its right hand, as seen on the screen.
+    pub(super) fn direct(&mut self) {
+        for i in self.numbers() {
+            let side = self.node(i);
+            let (upper, lower) = self.downwards(side.vertex, side.end);
+            let left = self.numbers().filter(|&j| j != i && self.is_left(j, upper, lower)).count();
+            // Going down, the right hand is on the left of the screen.
+            let goes_down = side.vertex == upper;
+            if (left % 2 == 1) != goes_down {
+                self.set(i, |node| (node.vertex, node.end) = (side.end, side.vertex));
+            }
+        }
+    }
+
+    /// Whether a side passes left of another one just below the upper end of that one.
+    fn is_left(&self, i: u16, upper: u16, lower: u16) -> bool {
+        let side = self.node(i);
+        let (u, v) = self.downwards(side.vertex, side.end);
+        // Sides from the same place are compared by their directions.
+        let seen = self.place(if u == upper { lower } else { upper });
+        let (u, v, start) = (self.place(u), self.place(v), self.place(upper));
+        down(u) <= down(start) && down(start) < down(v) && turn_at(u, v, seen) == Ordering::Less
+    }
+
+    /// Joins each side to the one that follows it: of those that start where it ends, the one with nothing in between.
+    pub(super) fn link(&mut self) {
+        for i in self.numbers() {
+            let side = self.node(i);
+            let mut next = None;
+            for j in self.numbers() {
+                let other = self.node(j);
+                if other.vertex != side.end {
+                    continue;
+                }
+                let is_nearer = |&(_, after): &(u16, u16)| {
+                    let corner = [side.vertex, side.end, after].map(|vertex| self.place(vertex));
+                    in_sector(corner, self.place(other.end))
+                };
+                if next.as_ref().is_none_or(is_nearer) {
+                    next = Some((j, other.end));
+                }
+            }
+            if let Some((next, _)) = next {
+                self.join(i, next);
+            }
+        }
+    }
+}

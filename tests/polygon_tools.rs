@@ -1,0 +1,414 @@
+//! What is asked of polygons, segments and viewports, against the rules in wide integers.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "wide numbers that were checked to fit"
+)]
+
+mod support;
+
+use embedded_graphics_core::geometry::Point;
+use embedded_raster::{
+    geom::{
+        clip,
+        polygon::{contains, is_convex, orientation, twice_area},
+        Viewport,
+    },
+    raster::polygon,
+    Edge, FillRule, Rect, Vertex,
+};
+use fixed::types::I16F16;
+use support::{
+    assert_runs, collect,
+    rng::Rng,
+    runs_where,
+    scenes::{outline, window_on, Scale},
+    twins, vertices, Units,
+};
+
+fn wide(p: Units) -> (i128, i128) {
+    (p.0.into(), p.1.into())
+}
+
+/// The outline without vertices that repeat the one before.
+fn without_repeats(contour: &[Units]) -> Vec<Units> {
+    let mut kept = contour.to_vec();
+    kept.dedup();
+    while kept.len() > 1 && kept.first() == kept.last() {
+        kept.pop();
+    }
+    kept
+}
+
+/// The corners of the convex hull, in order (monotone chain, A. M. Andrew, 1979); no three on a line.
+fn hull(contour: &[Units]) -> Vec<Units> {
+    let mut places = contour.to_vec();
+    places.sort_unstable();
+    places.dedup();
+    if places.len() < 3 {
+        return places;
+    }
+    let half = |places: &mut dyn Iterator<Item = Units>| {
+        let mut chain: Vec<Units> = vec![];
+        for p in places {
+            while chain.len() > 1 && twins::twice_area(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0 {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut places.iter().copied());
+    hull.extend(half(&mut places.iter().rev().copied()));
+    hull
+}
+
+/// Convex by its hull: all vertices lie on it, and come in its order, once round, in one direction or the other.
+fn convex_twin(contour: &[Units]) -> bool {
+    let contour = without_repeats(contour);
+    let hull = hull(&contour);
+    let n = hull.len();
+    // Where on the hull: the side, and how far along it.
+    let place = |p: Units| {
+        (0..n).find_map(|i| {
+            let (a, b) = (hull[i], hull[(i + 1) % n]);
+            let within = |a: i32, b: i32, p: i32| a.min(b) <= p && p <= a.max(b);
+            let on = p != b && twins::twice_area(a, b, p) == 0 && within(a.0, b.0, p.0) && within(a.1, b.1, p.1);
+            on.then(|| (i, (wide(p).0 - wide(a).0).abs() + (wide(p).1 - wide(a).1).abs()))
+        })
+    };
+    if n < 2 {
+        return true;
+    }
+    if n == 2 {
+        // There and back: the order along the line changes its direction twice.
+        let steps: Vec<bool> = (0..contour.len()).map(|i| contour[i] < contour[(i + 1) % contour.len()]).collect();
+        return (0..steps.len()).filter(|&i| steps[i] != steps[(i + 1) % steps.len()]).count() == 2;
+    }
+    let Some(places) = contour.iter().map(|&p| place(p)).collect::<Option<Vec<_>>>() else { return false };
+    let count = |step: fn(&(usize, i128), &(usize, i128)) -> bool| {
+        (0..places.len()).filter(|&i| step(&places[i], &places[(i + 1) % places.len()])).count()
+    };
+    count(|a, b| a >= b) == 1 || count(|a, b| a <= b) == 1
+}
+
+/// Places on a convex curve or nearly: regular enough that many are convex.
+fn round(rng: &mut Rng) -> Vec<Units> {
+    let n = 3 + rng.index(9);
+    let (reach, step) = (rng.pick(&[1, 2, 3, 50]), rng.pick(&[1, 64, 100_000_000 / 8]));
+    let all: Vec<Units> = (0..n).map(|_| (rng.int(-reach, reach) * step, rng.int(-reach, reach) * step)).collect();
+    let mut contour = hull(&all);
+    // Spoil it now and then: a vertex in the middle of a side, a repeated one, a spike, a second round, an exchange.
+    for _ in 0..rng.index(4) {
+        let (i, n) = (rng.index(contour.len()), contour.len());
+        let (p, q) = (contour[i], contour[(i + 1) % n]);
+        let middle = (i32::midpoint(p.0, q.0), i32::midpoint(p.1, q.1));
+        match rng.below(7) {
+            0 | 1 => contour.insert(i + 1, middle),
+            2 => contour.insert(i, p),
+            3 => contour.extend_from_within(..),
+            4 => contour.swap(i, (i + 1) % n),
+            5 => contour.insert(i, q),
+            _ => contour.insert(i, rng.pick(&all)),
+        }
+    }
+    let turn = rng.index(contour.len());
+    contour.rotate_left(turn);
+    if rng.one_in(2) {
+        contour.reverse();
+    }
+    contour
+}
+
+#[test]
+fn convexity() {
+    let mut rng = Rng::new(700);
+    let (mut convex, mut other) = (0, 0);
+    let mut compare = |contour: &[Units]| {
+        let got = is_convex(&vertices(contour));
+        assert_eq!(got, convex_twin(contour), "{contour:?}");
+        *if got { &mut convex } else { &mut other } += 1;
+    };
+    for i in 0..150_000 {
+        compare(&round(&mut rng));
+        let n = rng.index(7);
+        compare(&outline(&mut rng, Scale::ALL[i % 4], n));
+    }
+    assert!(convex > 25_000 && other > 25_000, "{convex} are convex, {other} not");
+}
+
+#[test]
+fn convexity_by_hand() {
+    let (low, high) = (i32::MIN, i32::MAX);
+    let cases: [(&[Units], bool); 16] = [
+        (&[], true),
+        (&[(3, 4)], true),
+        (&[(3, 4), (3, 4)], true),
+        (&[(0, 0), (5, 5)], true),
+        (&[(0, 0), (5, 5), (9, 9), (2, 2)], true),
+        (&[(0, 0), (5, 0), (1, 0), (9, 0)], false),
+        (&[(0, 0), (4, 0), (4, 4), (0, 4)], true),
+        (&[(0, 4), (4, 4), (4, 0), (0, 0)], true),
+        (&[(0, 0), (4, 4), (4, 0), (0, 4)], false),
+        (&[(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)], false),
+        (&[(0, 0), (4, 0), (4, 4), (0, 0), (4, 0), (4, 4)], false),
+        (&[(0, 0), (9, 0), (5, 0), (5, 5)], false),
+        (&[(0, 0), (9, 0), (9, 9), (9, 5), (9, 12), (0, 12)], false),
+        (&[(low, low), (high, low), (high, high), (low, high)], true),
+        (&[(low, low), (high, high), (high, high - 1)], true),
+        (&[(low, low), (0, -1), (high, high), (low, high)], true),
+    ];
+    for (contour, wanted) in cases {
+        assert_eq!(convex_twin(contour), wanted, "the twin, {contour:?}");
+        assert_eq!(is_convex(&vertices(contour)), wanted, "{contour:?}");
+    }
+}
+
+#[test]
+fn areas() {
+    let mut rng = Rng::new(701);
+    for i in 0..200_000 {
+        let n = rng.index(20);
+        let contour = outline(&mut rng, Scale::ALL[i % 4], n);
+        // Trapezoids under the sides, down to the axis.
+        let wanted: i128 = twins::sides(std::slice::from_ref(&contour))
+            .map(|(a, b)| (wide(a).0 - wide(b).0) * (wide(a).1 + wide(b).1))
+            .sum();
+        let got = twice_area(&vertices(&contour));
+        assert_eq!(got, wanted, "{contour:?}");
+        assert_eq!(orientation(&vertices(&contour)), wanted.cmp(&0), "{contour:?}");
+    }
+    // The largest there is, and round it many times.
+    let (low, high) = (i32::MIN, i32::MAX);
+    let all = [(low, low), (high, low), (high, high), (low, high)].repeat(5_000);
+    assert_eq!(twice_area(&vertices(&all)), 10_000 * ((1_i128 << 32) - 1).pow(2));
+}
+
+/// Is a place inside? Its crossings by the rule, in wide integers.
+fn contains_twin(contours: &[Vec<Units>], rule: FillRule, at: Units) -> bool {
+    let (mut winding, mut count) = (0, 0);
+    for (a, b) in twins::sides(contours) {
+        let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
+        if upper.1 <= at.1 && at.1 < lower.1 {
+            let ((ux, uy), (lx, ly), (x, y)) = (wide(upper), wide(lower), wide(at));
+            if ux * (ly - uy) + (y - uy) * (lx - ux) <= x * (ly - uy) {
+                (winding, count) = (winding + sign, count + 1);
+            }
+        }
+    }
+    match rule {
+        FillRule::NonZero => winding != 0,
+        FillRule::EvenOdd => count % 2 == 1,
+    }
+}
+
+#[test]
+fn places_in_polygons() {
+    let mut rng = Rng::new(702);
+    let mut inside = 0;
+    for i in 0..60_000 {
+        let n = 2 + rng.index(9);
+        let all = outline(&mut rng, Scale::ALL[i % 4], n);
+        let contours = [all[..n / 2].to_vec(), all[n / 2..].to_vec()];
+        let places: Vec<Vec<Vertex>> = contours.iter().map(|c| vertices(c)).collect();
+        // Pixels whose centres are places.
+        let window = window_on(&mut rng, &all).intersection(Rect::new(-1 << 23, -1 << 23, 1 << 23, 1 << 23));
+        for rule in [FillRule::NonZero, FillRule::EvenOdd] {
+            // Centres of pixels: what the filler paints.
+            let mut table = vec![Edge::EMPTY; n];
+            let painted = collect(window, |emit| {
+                polygon::fill(&places, rule, window, &mut table, emit).expect("a slot for every side");
+            });
+            let found = runs_where(window, |x, y| contains(&places, rule, Vertex::centre_of(Point::new(x, y))));
+            assert_runs(window, &found, &painted, || format!("{rule:?} {contours:?}"));
+            // Any other place: anywhere, at vertices, beside them.
+            for _ in 0..10 {
+                let (p, q) = (rng.pick(&all), rng.pick(&all));
+                let at = match rng.below(4) {
+                    0 => (rng.bits() as i32, rng.bits() as i32),
+                    1 => (p.0, q.1),
+                    2 => (i32::midpoint(p.0, q.0), i32::midpoint(p.1, q.1)),
+                    _ => (p.0.saturating_add(rng.int(-1, 1)), p.1.saturating_add(rng.int(-1, 1))),
+                };
+                let wanted = contains_twin(&contours, rule, at);
+                assert_eq!(
+                    contains(&places, rule, Vertex::from_bits(at.0, at.1)),
+                    wanted,
+                    "{at:?} {rule:?} {contours:?}"
+                );
+                inside += usize::from(wanted);
+            }
+        }
+    }
+    assert!(inside > 50_000, "only {inside} places were inside");
+}
+
+/// A fraction with a positive denominator.
+#[derive(Copy, Clone, Debug)]
+struct Ratio(i128, i128);
+
+impl Ratio {
+    fn new(n: i128, d: i128) -> Self {
+        Self(n * d.signum(), d.abs())
+    }
+
+    /// `a + (b - a) t` lies in `low..=high`?
+    fn keeps(self, a: i128, b: i128, (low, high): (i128, i128)) -> bool {
+        let at = a * self.1 + (b - a) * self.0;
+        low * self.1 <= at && at <= high * self.1
+    }
+
+    fn nearest(self, a: i128, b: i128) -> i32 {
+        let twice = 2 * (a * self.1 + (b - a) * self.0) + self.1;
+        i32::try_from(twice.div_euclid(2 * self.1)).expect("between the ends")
+    }
+}
+
+/// The first and the last place of a segment that lie in a rectangle, out of its ends and its crossings with four lines.
+fn clip_twin([a, b]: [Units; 2], [p, q]: [Units; 2]) -> Option<[Ratio; 2]> {
+    let ((ax, ay), (bx, by)) = (wide(a), wide(b));
+    let ((px, py), (qx, qy)) = (wide(p), wide(q));
+    let mut all = vec![Ratio(0, 1), Ratio(1, 1)];
+    for (a, b, side) in [(ax, bx, px), (ax, bx, qx), (ay, by, py), (ay, by, qy)] {
+        if a != b {
+            all.push(Ratio::new(side - a, b - a));
+        }
+    }
+    all.retain(|t| 0 <= t.0 && t.0 <= t.1);
+    all.retain(|t| t.keeps(ax, bx, (px.min(qx), px.max(qx))) && t.keeps(ay, by, (py.min(qy), py.max(qy))));
+    let order = |s: &Ratio, t: &Ratio| (s.0 * t.1).cmp(&(t.0 * s.1));
+    Some([all.iter().copied().min_by(order)?, all.iter().copied().max_by(order)?])
+}
+
+#[test]
+fn clipped_segments() {
+    let mut rng = Rng::new(703);
+    let (mut seen, mut corners_touched) = (0, 0);
+    for i in 0..200_000 {
+        let places = outline(&mut rng, Scale::ALL[i % 4], 4);
+        let (mut ends, area) = ([places[0], places[1]], [places[2], places[3]]);
+        match rng.below(8) {
+            // Through a corner, in both directions by the same amounts.
+            0 => {
+                let (corner, dx, dy) = (area[0], rng.int(-900, 900), rng.int(-900, 900));
+                ends = [
+                    (corner.0.saturating_sub(dx), corner.1.saturating_sub(dy)),
+                    (corner.0.saturating_add(dx), corner.1.saturating_add(dy)),
+                ];
+            }
+            1 => ends[1].0 = ends[0].0,
+            2 => ends[1].1 = ends[0].1,
+            3 => ends[rng.index(2)] = area[0],
+            _ => {}
+        }
+        let [a, b, p, q] = [ends[0], ends[1], area[0], area[1]].map(|(x, y)| Vertex::from_bits(x, y));
+        let got = clip::segment(a, b, [p, q]);
+        let wanted = clip_twin(ends, area);
+        assert_eq!(got.is_some(), wanted.is_some(), "{ends:?} in {area:?}");
+        let (Some(got), Some(wanted)) = (got, wanted) else { continue };
+        for (k, t) in wanted.into_iter().enumerate() {
+            let at = got.at[k];
+            assert_eq!(i128::from(at.number) * t.1, t.0 * i128::from(at.of.get()), "{ends:?} in {area:?}: end {k}");
+            let ((ax, ay), (bx, by)) = (wide(ends[0]), wide(ends[1]));
+            let place = Vertex::from_bits(t.nearest(ax, bx), t.nearest(ay, by));
+            assert_eq!(got.ends[k], place, "{ends:?} in {area:?}: end {k}");
+        }
+        // The other way, the same ends; and nothing is left to clip.
+        let back = clip::segment(b, a, [q, p]).expect("the same segment");
+        assert_eq!(back.ends, [got.ends[1], got.ends[0]], "{ends:?} in {area:?}");
+        let again = clip::segment(got.ends[0], got.ends[1], [p, q]).expect("it lies inside");
+        assert_eq!(again.ends, got.ends, "{ends:?} in {area:?}");
+        seen += 1;
+        corners_touched += usize::from(got.ends[0] == got.ends[1] && ends[0] != ends[1]);
+    }
+    assert!(seen > 30_000 && corners_touched > 250, "{seen} were seen, {corners_touched} touch a corner");
+}
+
+/// The rule of the documentation, in wide integers.
+fn map_twin(v: i32, from: (i32, i32), to: (i32, i32)) -> i32 {
+    let ((v, v0, v1), (p0, p1)) = ((i128::from(v), i128::from(from.0), i128::from(from.1)), wide(to));
+    if v0 == v1 {
+        return to.0;
+    }
+    let t = Ratio::new((v - v0) * (p1 - p0), v1 - v0);
+    let p = p0 + (2 * t.0 + t.1).div_euclid(2 * t.1);
+    p.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+fn any_number(rng: &mut Rng) -> i32 {
+    match rng.below(4) {
+        0 => rng.pick(&[i32::MIN, i32::MIN + 1, -65_536, -1, 0, 1, 65_536, i32::MAX - 1, i32::MAX]),
+        1 => rng.int(-9, 9),
+        2 => rng.int(-70_000, 70_000),
+        _ => rng.bits() as i32,
+    }
+}
+
+#[test]
+fn viewports() {
+    let mut rng = Rng::new(704);
+    let mut there_and_back = 0;
+    for _ in 0..200_000 {
+        let mut number = || any_number(&mut rng);
+        let (low, high) = ([number(), number()], [number(), number()]);
+        let area = Rect::new(number(), number(), number() >> 8, number() >> 12);
+        let mut view = Viewport::from_bits(low, high, area);
+        let units = |v: Vertex| (v.x.to_bits(), v.y.to_bits());
+        let (upper, lower) = (units(Vertex::px(area.x0, area.y0)), units(Vertex::px(area.x1, area.y1)));
+        let (screen_x, mut screen_y) = ((upper.0, lower.0), (upper.1, lower.1));
+        if rng.one_in(2) {
+            (view, screen_y) = (view.with_y_up(), (screen_y.1, screen_y.0));
+        }
+        let (plane_x, plane_y) = ((low[0], high[0]), (low[1], high[1]));
+        for _ in 0..4 {
+            let (x, y) = (any_number(&mut rng), any_number(&mut rng));
+            let vertex = units(view.vertex_from_bits([x, y]));
+            let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
+            assert_eq!(vertex, wanted, "({x}, {y}) in {view:?}");
+            let place = view.place_bits(Vertex::from_bits(x, y));
+            let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
+            assert_eq!(place, wanted, "back from ({x}, {y}) in {view:?}");
+            // Order is kept: the next number is not on the other side.
+            let next = units(view.vertex_from_bits([x.saturating_add(1), y])).0;
+            let grows = (low[0] <= high[0]) == (screen_x.0 <= screen_x.1);
+            assert!(if grows { next >= vertex.0 } else { next <= vertex.0 }, "{x} and the next in {view:?}");
+            // Where the plane is no coarser, the screen and back is no change, as far as the plane goes.
+            let is_finer = plane_x.0.abs_diff(plane_x.1) >= screen_x.0.abs_diff(screen_x.1) && screen_x.0 != screen_x.1;
+            if is_finer && place[0] != i32::MIN && place[0] != i32::MAX {
+                assert_eq!(units(view.vertex_from_bits(place)).0, x, "there and back in {view:?}");
+                there_and_back += 1;
+            }
+        }
+        if low[0] != high[0] && low[1] != high[1] {
+            assert_eq!(units(view.vertex_from_bits(low)), (screen_x.0, screen_y.0), "{view:?}");
+            assert_eq!(units(view.vertex_from_bits(high)), (screen_x.1, screen_y.1), "{view:?}");
+        }
+    }
+    assert!(there_and_back > 50_000, "only {there_and_back} there and back");
+}
+
+#[test]
+fn the_unit_square_on_a_screen() {
+    let one = I16F16::ONE;
+    let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240));
+    assert_eq!(view.vertex(-one, -one), Vertex::px(0, 0));
+    assert_eq!(view.vertex(one, one), Vertex::px(320, 240));
+    let up = view.with_y_up();
+    assert_eq!(up.vertex(-one, -one), Vertex::px(0, 240));
+    assert_eq!(up.vertex(one, one), Vertex::px(320, 0));
+    assert_eq!(up.with_y_up(), view);
+    for x in -3..330 {
+        for y in [-9, 0, 1, 119, 240, 300] {
+            let at = Vertex::px(x, y);
+            let [px, py] = up.place(at);
+            assert_eq!(up.vertex(px, py), at);
+        }
+    }
+    assert_eq!(up.vertex(I16F16::MAX, I16F16::MIN), Vertex::from_bits(1_342_218_239, 1_006_663_680));
+    let largest = Rect::new(i32::MIN, 0, i32::MAX, 1);
+    let far = Viewport::new([-one, -one], [one, one], largest).vertex(I16F16::MAX, one);
+    assert_eq!(far, Vertex::from_bits(i32::MAX, 256), "it stops at the end");
+}

@@ -1,0 +1,559 @@
+//! Triangulations against the rule: every pixel inside by even-odd is painted by one triangle, no other by any; triangles
+//! meet in whole sides; what crosses is refused by name; after refinement no side could be better.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "coordinates and counts of small shapes"
+)]
+
+mod support;
+
+use std::{
+    cmp::Ordering,
+    collections::{BTreeMap, BTreeSet},
+};
+
+use embedded_raster::{
+    geom::{
+        delaunay,
+        exact::{in_circle, turn},
+        triangulate::{self, Node},
+    },
+    raster::{polygon, triangle},
+    Edge, Error, FillRule, Rect, Vertex,
+};
+use embedded_raster_simulator::world::{Map, Place, Projection, Screen, World};
+use support::{
+    assert_runs, collect, corners,
+    hits::Hits,
+    rng::Rng,
+    scenes::{outline, window_on, Scale},
+    twins::{self, twice_area},
+    vertices, Units,
+};
+
+type Contours = [Vec<Units>];
+
+fn flat(contours: &Contours) -> (Vec<Units>, Vec<u16>) {
+    let units = contours.concat();
+    let mut starts = vec![];
+    let mut end = 0;
+    for contour in &contours[..contours.len().saturating_sub(1)] {
+        end += contour.len();
+        starts.push(u16::try_from(end).expect("a small polygon"));
+    }
+    (units, starts)
+}
+
+fn wide(p: Units) -> (i128, i128) {
+    (p.0.into(), p.1.into())
+}
+
+/// Do two sides cross at a place inside of both? By the parameters of the place, as fractions.
+fn cross((a, b): (Units, Units), (c, d): (Units, Units)) -> bool {
+    let ((ax, ay), (bx, by), (cx, cy), (dx, dy)) = (wide(a), wide(b), wide(c), wide(d));
+    let (rx, ry, sx, sy) = (bx - ax, by - ay, dx - cx, dy - cy);
+    let det = rx * sy - ry * sx;
+    let (t, u) = ((cx - ax) * sy - (cy - ay) * sx, (cx - ax) * ry - (cy - ay) * rx);
+    let inside = |n: i128| if det > 0 { 0 < n && n < det } else { det < n && n < 0 };
+    det != 0 && inside(t) && inside(u)
+}
+
+fn first_crossing(contours: &Contours) -> Option<(usize, usize)> {
+    let sides: Vec<_> = twins::sides(contours).collect();
+    (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| cross(sides[i], sides[j])).map(|j| (i, j)))
+}
+
+fn lies_between((a, b): (Units, Units), p: Units) -> bool {
+    let within = |a: i32, b: i32, p: i32| a.min(b) <= p && p <= a.max(b);
+    p != a && p != b && within(a.0, b.0, p.0) && within(a.1, b.1, p.1) && twice_area(a, b, p) == 0
+}
+
+/// The nodes that the documentation says are enough.
+fn nodes(contours: &Contours) -> usize {
+    let places: BTreeSet<Units> = contours.concat().into_iter().collect();
+    let touches: usize =
+        twins::sides(contours).map(|side| places.iter().filter(|&&p| lies_between(side, p)).count()).sum();
+    contours.concat().len() + 2 * contours.len().saturating_sub(1) + touches
+}
+
+fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16; 3]>), Error> {
+    let (units, starts) = flat(contours);
+    let places = vertices(&units);
+    let needed = nodes(contours);
+    let mut triangles = vec![[u16::MAX; 3]; needed.saturating_sub(2)];
+    let mut scratch = vec![Node::EMPTY; needed];
+    let count = triangulate::list(&places, &starts, &mut scratch, &mut triangles)?;
+    triangles.truncate(count);
+    Ok((units, triangles))
+}
+
+fn placed(units: &[Units], triangle: [u16; 3]) -> [Units; 3] {
+    triangle.map(|i| units[usize::from(i)])
+}
+
+/// Triangles turn clockwise and have each side once: those that share one go along it in opposite directions.
+fn check_mesh(units: &[Units], triangles: &[[u16; 3]], what: &dyn Fn() -> String) -> BTreeMap<(u16, u16), u16> {
+    let mut sides = BTreeMap::new();
+    for &[a, b, c] in triangles {
+        let [pa, pb, pc] = placed(units, [a, b, c]);
+        assert!(twice_area(pa, pb, pc) > 0, "{:?} has no area or turns the other way: {}", [a, b, c], what());
+        for (side, far) in [((a, b), c), ((b, c), a), ((c, a), b)] {
+            assert_eq!(sides.insert(side, far), None, "{side:?} is a side of two triangles: {}", what());
+        }
+    }
+    // A side of one triangle only is one of the polygon: no vertex lies on it.
+    for &(a, b) in sides.keys() {
+        if !sides.contains_key(&(b, a)) {
+            let side = (units[usize::from(a)], units[usize::from(b)]);
+            let on = triangles.iter().flatten().find(|&&i| lies_between(side, units[usize::from(i)]));
+            assert_eq!(on, None, "a corner lies on {side:?}: {}", what());
+        }
+    }
+    sides
+}
+
+/// Each pixel of the window is painted once if it is inside, else never.
+fn check_pixels(contours: &Contours, units: &[Units], triangles: &[[u16; 3]], window: Rect) {
+    let mut hits = Hits::new(window);
+    for &triangle in triangles {
+        hits.add(&collect(window, |emit| triangle::fill(corners(placed(units, triangle)), window, emit)));
+    }
+    let wanted = twins::polygon(contours, FillRule::EvenOdd, window);
+    assert_runs(window, &hits.runs(), &wanted, || format!("{contours:?} as {triangles:?}"));
+}
+
+/// Every side between two triangles: the far corner of one is not in the circle of the other, unless the side cannot flip.
+fn check_delaunay(units: &[Units], triangles: &[[u16; 3]], what: &dyn Fn() -> String) {
+    let sides = check_mesh(units, triangles, what);
+    for (&(a, b), &c) in &sides {
+        if let Some(&d) = sides.get(&(b, a)) {
+            let [a, b, c, d] = [a, b, c, d].map(|i| units[usize::from(i)]);
+            assert!(determinant(a, b, c, d) <= Wide::ZERO, "{a:?} {b:?} should be {c:?} {d:?}: {}", what());
+        }
+    }
+}
+
+/// Everything at once; says whether there was a triangulation.
+fn check(contours: &Contours, window: Rect) -> bool {
+    let what = || format!("{contours:?}");
+    let result = triangulated(contours);
+    if let Some((first, second)) = first_crossing(contours) {
+        assert_eq!(result, Err(Error::SidesCross { first, second }), "{}", what());
+        return false;
+    }
+    let (units, mut triangles) = result.unwrap_or_else(|e| panic!("{e}: {}", what()));
+    check_mesh(&units, &triangles, &what);
+    check_pixels(contours, &units, &triangles, window);
+    let area: i128 = triangles.iter().map(|&t| placed(&units, t)).map(|[a, b, c]| twice_area(a, b, c)).sum();
+    delaunay::refine(&vertices(&units), &mut triangles, &mut vec![[0; 3]; units.len() * 3]).expect("it fits");
+    check_delaunay(&units, &triangles, &what);
+    check_pixels(contours, &units, &triangles, window);
+    let refined: i128 = triangles.iter().map(|&t| placed(&units, t)).map(|[a, b, c]| twice_area(a, b, c)).sum();
+    assert_eq!(area, refined, "the area: {}", what());
+    true
+}
+
+/// Few vertices on a coarse grid: they touch, overlap, repeat and fold in every way there is.
+#[test]
+fn scribbles_on_a_grid() {
+    let mut rng = Rng::new(600);
+    let (mut cut, mut refused) = (0, 0);
+    for _ in 0..120_000 {
+        let (side, step) = (rng.int(1, 4), rng.pick(&[128, 256, 256, 300, 512]));
+        let contours: Vec<Vec<Units>> = (0..rng.pick(&[1, 1, 1, 2, 2, 3]))
+            .map(|_| (0..rng.index(8)).map(|_| (rng.int(0, side) * step, rng.int(0, side) * step)).collect())
+            .collect();
+        if check(&contours, Rect::new(-1, -1, 9, 9)) {
+            cut += 1;
+        } else {
+            refused += 1;
+        }
+    }
+    assert!(cut > 20_000 && refused > 20_000, "{cut} were cut, {refused} refused");
+}
+
+/// A few triangles and squares each, on a grid: islands, lakes, shared sides, chains.
+#[test]
+fn many_small_contours() {
+    let mut rng = Rng::new(601);
+    let mut cut = 0;
+    for _ in 0..20_000 {
+        let mut contours: Vec<Vec<Units>> = vec![];
+        for _ in 0..rng.range(2, 9) {
+            let mut contour: Vec<Units> =
+                (0..rng.range(3, 4)).map(|_| (rng.int(0, 6) * 256, rng.int(0, 6) * 256)).collect();
+            if rng.one_in(3) {
+                let (x, y, w, h) = (rng.int(0, 5), rng.int(0, 5), rng.int(1, 5), rng.int(1, 5));
+                contour = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| (x * 256, y * 256)).to_vec();
+            }
+            contours.push(contour);
+            if first_crossing(&contours).is_some() {
+                contours.pop();
+            }
+        }
+        cut += usize::from(check(&contours, Rect::new(-1, -1, 12, 12)));
+    }
+    assert_eq!(cut, 20_000, "none crosses");
+}
+
+/// Any set of the cells of a board, each as a contour of its own: sides cancel, corners touch, holes are everywhere.
+#[test]
+fn cells_of_a_board() {
+    let mut rng = Rng::new(602);
+    for _ in 0..1_500 {
+        let (n, part, step) = (rng.int(1, 7), rng.range(1, 9) as u64, rng.pick(&[256, 200, 333]));
+        let slant = rng.int(-60, 60);
+        let mut contours = vec![];
+        for (x, y) in (0..n).flat_map(|x| (0..n).map(move |y| (x, y))) {
+            if rng.below(10) < part {
+                let mut cell = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+                    .map(|(x, y)| (x * step + y * slant, y * step - x * slant / 2))
+                    .to_vec();
+                if rng.one_in(2) {
+                    cell.reverse();
+                }
+                cell.rotate_left(rng.index(4));
+                contours.push(cell);
+            }
+        }
+        rng.shuffle(&mut contours);
+        assert!(check(&contours, Rect::new(-4, -4, 14, 14)), "cells do not cross");
+    }
+}
+
+/// Around a middle, in the order of the angles.
+fn star(rng: &mut Rng, middle: Units, radius: i32, n: usize) -> Vec<Units> {
+    let mut ring: Vec<Units> =
+        (0..n).map(|_| (rng.int(-radius, radius), rng.int(-radius, radius))).filter(|&p| p != (0, 0)).collect();
+    ring.sort_by(|&p, &q| {
+        let lower = |p: Units| (p.1, p.0) < (0, 0);
+        lower(p).cmp(&lower(q)).then_with(|| twice_area((0, 0), q, p).cmp(&0))
+    });
+    ring.iter().map(|p| (middle.0 + p.0, middle.1 + p.1)).collect()
+}
+
+#[test]
+fn stars_with_stars_in_them() {
+    let mut rng = Rng::new(603);
+    let mut cut = 0;
+    for _ in 0..10_000 {
+        let n = 3 + rng.index(30);
+        let mut contours = vec![star(&mut rng, (2500, 2500), 3000, n)];
+        for _ in 0..rng.index(6) {
+            let (middle, n) = ((rng.int(800, 4200), rng.int(800, 4200)), 3 + rng.index(8));
+            contours.push(star(&mut rng, middle, 500, n));
+            if first_crossing(&contours).is_some() {
+                contours.pop();
+            }
+        }
+        rng.shuffle(&mut contours);
+        cut += usize::from(check(&contours, Rect::new(-4, -4, 24, 24)));
+    }
+    assert!(cut > 5_000, "{cut} were cut");
+}
+
+/// A comb whose teeth reach into those of another; a spiral as a corridor; a saw with flat vertices.
+#[test]
+fn combs_and_spirals() {
+    let mut rng = Rng::new(604);
+    let comb = |n: i32, dx: i32, h: i32| -> Vec<Units> {
+        let teeth = (0..n).flat_map(|i| [(2 * i * dx, h), ((2 * i + 1) * dx, 200)]);
+        [(2 * n * dx, 0), (0, 0)].into_iter().chain(teeth).collect()
+    };
+    for n in 1..60 {
+        let contour = comb(n, 100, rng.int(300, 4000));
+        assert!(check(std::slice::from_ref(&contour), Rect::new(-1, -1, 50, 18)), "a comb of {n}");
+        let (units, triangles) = triangulated(std::slice::from_ref(&contour)).expect("a comb");
+        assert_eq!(triangles.len(), units.len() - 2, "a comb of {n}");
+    }
+    for n in 4..80_i32 {
+        // Two walls, one step apart, round and round.
+        let wall = |gap: i32| {
+            (0..n).map(move |i| {
+                let r = 60 * i + 300 + gap;
+                [(r, 0), (0, r), (-r, 0), (0, -r)][i.unsigned_abs() as usize % 4]
+            })
+        };
+        let contour: Vec<Units> = wall(0).chain(wall(100).rev()).collect();
+        assert!(check(std::slice::from_ref(&contour), Rect::new(-20, -20, 20, 20)), "a spiral of {n}");
+    }
+    // Every side in four parts.
+    for _ in 0..300 {
+        let n = rng.range(3, 9) as usize;
+        let corners = star(&mut rng, (600, 600), 300, n);
+        let n = corners.len();
+        let contour: Vec<Units> = (0..n)
+            .flat_map(|i| {
+                let (p, q) = (corners[i], corners[(i + 1) % n]);
+                (0..4).map(move |k| (4 * p.0 + k * (q.0 - p.0), 4 * p.1 + k * (q.1 - p.1)))
+            })
+            .collect();
+        check(&[contour], Rect::new(0, 0, 16, 16));
+    }
+}
+
+/// Tours of random places, untangled: while two sides cross, the way between them is turned round.
+#[test]
+fn tours_of_random_places() {
+    let mut rng = Rng::new(605);
+    let mut cut = 0;
+    for i in 0..600 {
+        let n = 3 + rng.index(40);
+        let mut contour: Vec<Units> = (0..n).map(|_| (rng.int(-500, 5000), rng.int(-500, 5000))).collect();
+        if i % 3 == 0 {
+            contour = contour.iter().map(|p| (p.0 & !255, p.1 & !255)).collect();
+        }
+        for _ in 0..3000 {
+            let Some((first, second)) = first_crossing(std::slice::from_ref(&contour)) else { break };
+            contour[first + 1..=second].reverse();
+        }
+        cut += usize::from(check(&[contour], Rect::new(-3, -3, 21, 21)));
+    }
+    assert!(cut > 550, "{cut} were cut");
+}
+
+/// Shapes of every scale up to the ends of the type.
+#[test]
+fn any_coordinates() {
+    let mut rng = Rng::new(606);
+    let mut cut = 0;
+    for i in 0..50_000 {
+        let n = rng.index(9);
+        let all = outline(&mut rng, Scale::ALL[i % 4], n);
+        let contours = if n > 5 { vec![all[..3].to_vec(), all[3..].to_vec()] } else { vec![all] };
+        let window =
+            if n == 0 { Rect::new(0, 0, 2, 2) } else { window_on(&mut rng, contours.last().expect("one or two")) };
+        cut += usize::from(check(&contours, window));
+    }
+    assert!(cut > 15_000, "{cut} were cut");
+}
+
+#[test]
+fn crossings_are_named() {
+    let each = |units: &[Units], starts: &[u16]| {
+        let mut nodes = vec![Node::EMPTY; 50];
+        triangulate::each(&vertices(units), starts, &mut nodes, |t| panic!("{t:?} was emitted"))
+    };
+    let bow_tie = [(0, 0), (9, 9), (9, 0), (0, 9)];
+    assert_eq!(each(&bow_tie, &[]), Err(Error::SidesCross { first: 0, second: 2 }));
+    let pentagram = [(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)];
+    assert_eq!(each(&pentagram, &[]), Err(Error::SidesCross { first: 0, second: 2 }));
+    let hole_over_the_side = [(0, 0), (9, 0), (9, 9), (0, 9), (4, 4), (12, 4), (6, 6)];
+    assert_eq!(each(&hole_over_the_side, &[4]), Err(Error::SidesCross { first: 1, second: 4 }));
+    // At the ends of the type, by one unit.
+    let (low, high) = (i32::MIN, i32::MAX);
+    let thin = [(low, low), (high, high), (high - 1, low), (high, high - 1), (low, high)];
+    let wanted = first_crossing(&[thin.to_vec()]).map(|(first, second)| Error::SidesCross { first, second });
+    assert_eq!(each(&thin, &[]).err(), wanted);
+    let text = Error::SidesCross { first: 3, second: 8 }.to_string();
+    assert!(text.contains('3') && text.contains('8'), "{text}");
+}
+
+#[test]
+fn scratch_of_every_size() {
+    let mut rng = Rng::new(607);
+    let (mut fitted, mut refused) = (0, 0);
+    for _ in 0..5_000 {
+        let contours: Vec<Vec<Units>> = (0..rng.range(1, 3))
+            .map(|_| (0..rng.index(7)).map(|_| (rng.int(0, 4) * 256, rng.int(0, 4) * 256)).collect())
+            .collect();
+        if first_crossing(&contours).is_some() {
+            continue;
+        }
+        let (units, starts) = flat(&contours);
+        let (places, needed) = (vertices(&units), nodes(&contours));
+        let mut wanted = vec![];
+        triangulate::each(&places, &starts, &mut vec![Node::EMPTY; needed], |t| wanted.push(t)).expect("enough");
+        for capacity in 0..needed + 2 {
+            let mut scratch = vec![Node::EMPTY; capacity];
+            let mut got = vec![];
+            let result = triangulate::each(&places, &starts, &mut scratch, |t| got.push(t));
+            if capacity < needed {
+                assert_eq!((result, got.len()), (Err(Error::NodeTableFull { capacity, needed }), 0), "{contours:?}");
+                refused += 1;
+            } else {
+                assert_eq!((result, &got), (Ok(()), &wanted), "{contours:?}");
+                fitted += 1;
+            }
+        }
+        for capacity in 0..needed.saturating_sub(2) {
+            let (mut scratch, mut table) = (vec![Node::EMPTY; needed], vec![[7; 3]; capacity]);
+            let result = triangulate::list(&places, &starts, &mut scratch, &mut table);
+            assert_eq!(result, Err(Error::TriangleTableFull { capacity, needed: needed - 2 }), "{contours:?}");
+            assert!(table.iter().all(|&t| t == [7; 3]), "something was written");
+            assert!(scratch.iter().all(|&n| n == Node::EMPTY), "something was written");
+        }
+        let mut triangles = wanted.clone();
+        if let Some(less) = triangles.len().checked_sub(1) {
+            let needed = triangles.len();
+            let result = delaunay::refine(&places, &mut triangles, &mut vec![[0; 3]; less]);
+            assert_eq!(result, Err(Error::TriangleTableFull { capacity: less, needed }));
+            assert_eq!(triangles, wanted, "nothing changed");
+        }
+    }
+    assert!(fitted > 1_000 && refused > 1_000, "{fitted} fitted, {refused} refused");
+}
+
+/// Starts that do not ascend, or lie beyond the end, make empty contours.
+#[test]
+fn strange_starts() {
+    let square = vertices(&[(0, 0), (900, 0), (900, 900), (0, 900)]);
+    for starts in [&[0_u16][..], &[4], &[9], &[0, 0, 0], &[4, 1], &[65_535, 2]] {
+        let mut nodes = vec![Node::EMPTY; 20];
+        let mut count = 0;
+        triangulate::each(&square, starts, &mut nodes, |_| count += 1).expect("enough nodes");
+        assert_eq!(count, 2, "{starts:?}");
+    }
+}
+
+/// 256-bit two's complement, high half first.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Wide(i128, u128);
+
+impl Wide {
+    const ZERO: Self = Self(0, 0);
+
+    fn product(a: i128, b: i128) -> Self {
+        let halves = |n: u128| (n >> 64, n & u128::from(u64::MAX));
+        let ((ah, al), (bh, bl)) = (halves(a.unsigned_abs()), halves(b.unsigned_abs()));
+        let (mut high, mut low) = (ah * bh, al * bl);
+        for middle in [ah * bl, al * bh] {
+            let (sum, carry) = low.overflowing_add(middle << 64);
+            low = sum;
+            high += (middle >> 64) + u128::from(carry);
+        }
+        let positive = Self(high as i128, low);
+        if (a < 0) == (b < 0) {
+            positive
+        } else {
+            Self(!positive.0, !positive.1).plus(Self(0, 1))
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let (low, carry) = self.1.overflowing_add(other.1);
+        Self(self.0.wrapping_add(other.0).wrapping_add(i128::from(carry)), low)
+    }
+}
+
+/// The determinant of the rule, in 256 bits, expanded along another column than the crate does.
+fn determinant(a: Units, b: Units, c: Units, d: Units) -> Wide {
+    let rows = [a, b, c].map(|p| {
+        let (x, y) = (wide(p).0 - wide(d).0, wide(p).1 - wide(d).1);
+        (x, y, x * x + y * y)
+    });
+    let [a, b, c] = rows;
+    // Along the first column; each minor y Q - Q y has up to 99 bits.
+    let term = |x: i128, (p, q): ((i128, i128, i128), (i128, i128, i128))| Wide::product(x, p.1 * q.2 - p.2 * q.1);
+    term(a.0, (b, c)).plus(term(b.0, (c, a))).plus(term(c.0, (a, b)))
+}
+
+#[test]
+fn predicates_are_exact_up_to_the_ends_of_the_type() {
+    let mut rng = Rng::new(608);
+    let mut ties = 0;
+    let mut compare = |places: [Units; 4]| {
+        let [a, b, c, d] = places;
+        let [va, vb, vc, vd] = places.map(|(x, y)| Vertex::from_bits(x, y));
+        assert_eq!(turn(va, vb, vc), twice_area(a, b, c).cmp(&0), "{places:?}");
+        let wanted = determinant(a, b, c, d).cmp(&Wide::ZERO);
+        assert_eq!(in_circle(va, vb, vc, vd), wanted, "{places:?}");
+        ties += usize::from(wanted == Ordering::Equal);
+    };
+    for i in 0..200_000 {
+        let places = outline(&mut rng, Scale::ALL[i % 4], 4);
+        compare([places[0], places[1], places[2], places[3]]);
+        // Corners of a rectangle lie on a circle, and one unit beside it they do not.
+        let [(x0, y0), (x1, y1)] = [places[0], places[1]];
+        let (dx, dy) = (rng.int(-1, 1), rng.int(-1, 1));
+        compare([(x0, y0), (x1, y0), (x1, y1), (x0.saturating_add(dx), y1.saturating_add(dy))]);
+    }
+    let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
+    for _ in 0..100_000 {
+        compare([(); 4].map(|()| (rng.pick(&ends), rng.pick(&ends))));
+    }
+    assert!(ties > 5_000, "only {ties} ties");
+}
+
+fn map() -> Map {
+    Map::parse(include_bytes!("../assets/world-110m.txt")).expect("the map is well-formed")
+}
+
+/// The countries, as they come: a pixel is 0.64 degrees.
+fn countries() -> Vec<(String, Vec<Vec<Units>>)> {
+    let ring = |ring: &Vec<Place>| ring.iter().map(|p| (p.lon * 4, -p.lat * 4)).collect();
+    map().countries.iter().map(|c| (c.name.clone(), c.rings.iter().map(ring).collect())).collect()
+}
+
+fn bounds(contours: &Contours) -> Rect {
+    let all = || contours.iter().flatten();
+    let range =
+        |of: fn(&Units) -> i32| (all().map(of).min().unwrap_or(0) >> 8, (all().map(of).max().unwrap_or(0) >> 8) + 1);
+    let ((x0, x1), (y0, y1)) = (range(|p| p.0), range(|p| p.1));
+    Rect::new(x0, y0, x1, y1)
+}
+
+#[test]
+fn countries_of_the_world() {
+    for (name, rings) in countries() {
+        let refused = !check(&rings, bounds(&rings));
+        // In this map the border of Sudan crosses itself, where its first side and one of its last meet.
+        let wanted = (name == "Sudan").then_some(Error::SidesCross { first: 0, second: 78 });
+        assert_eq!((triangulated(&rings).err(), refused), (wanted, wanted.is_some()), "{name}");
+    }
+}
+
+/// All countries at once: their inner borders cancel, what is left are the continents. Where the border of Sudan crosses
+/// itself it crosses that of the Central African Republic too, once on each side of the corner with South Sudan.
+#[test]
+fn the_whole_world() {
+    let all = countries().into_iter().filter(|(name, _)| !name.ends_with("Sudan"));
+    let rings: Vec<Vec<Units>> = all.flat_map(|(_, rings)| rings).collect();
+    let (units, starts) = flat(&rings);
+    let places = vertices(&units);
+    let mut scratch = vec![Node::EMPTY; 12_000];
+    let mut triangles = vec![];
+    triangulate::each(&places, &starts, &mut scratch, |t| triangles.push(t)).expect("borders do not cross");
+    check_mesh(&units, &triangles, &|| "the world".into());
+    let window = bounds(&rings);
+    let mut table = vec![Edge::EMPTY; places.len()];
+    let wanted = collect(window, |emit| {
+        let contours = rings.iter().map(|ring| vertices(ring)).collect::<Vec<_>>();
+        polygon::fill(&contours, FillRule::EvenOdd, window, &mut table, emit).expect("a slot for every side");
+    });
+    for refined in [false, true] {
+        if refined {
+            let mut neighbours = vec![[0; 3]; triangles.len()];
+            delaunay::refine(&places, &mut triangles, &mut neighbours).expect("a slot for each");
+            check_delaunay(&units, &triangles, &|| "the world".into());
+        }
+        let mut hits = Hits::new(window);
+        for &triangle in &triangles {
+            hits.add(&collect(window, |emit| triangle::fill(corners(placed(&units, triangle)), window, emit)));
+        }
+        assert_eq!(hits.runs(), wanted, "refined: {refined}");
+    }
+}
+
+/// Rounded to 1/256 pixel on small screens, sides touch that did not; but none comes to cross.
+#[test]
+fn countries_on_screens() {
+    let map = map();
+    let mut refused = vec![];
+    for (projection, width, height) in
+        [(Projection::Equirectangular, 320, 240), (Projection::Robinson, 1001, 777), (Projection::Miller, 160, 120)]
+    {
+        let world = World::new(&map, Screen { projection, width, height });
+        for (country, of) in world.countries().iter().zip(&map.countries) {
+            let rings: Vec<Vec<Units>> =
+                country.iter().map(|ring| ring.iter().map(|v| (v.x.to_bits(), v.y.to_bits())).collect()).collect();
+            if !check(&rings, bounds(&rings)) {
+                refused.push((width, of.name.as_str()));
+            }
+        }
+    }
+    assert_eq!(refused, [320, 1001, 160].map(|width| (width, "Sudan")), "countries whose sides cross");
+}
