@@ -21,7 +21,7 @@ pub use canvas::Canvas;
 pub use error::Error;
 pub use geom::Vertex;
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Edge, FillRule};
+pub use raster::{Edge, Ellipse, FillRule};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

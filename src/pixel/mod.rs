@@ -25,6 +25,7 @@ use embedded_graphics_core::pixelcolor::{raw::RawData, PixelColor};
 mod color;
 pub(crate) mod packed;
 mod palette;
+pub(crate) mod scan;
 pub(crate) mod walk;
 mod word;
 

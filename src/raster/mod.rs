@@ -12,6 +12,8 @@
 //!
 //! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 
+pub mod ellipse;
+pub mod flood;
 pub mod line;
 pub mod polygon;
 pub mod rectangle;
@@ -20,4 +22,5 @@ pub mod triangle;
 mod edge;
 
 pub use edge::Edge;
+pub use ellipse::Ellipse;
 pub use polygon::FillRule;
