@@ -10,7 +10,7 @@ use fixed::types::I24F8;
 use crate::{
     error::Error,
     geom::Vertex,
-    raster::{ellipse, line, polygon, rectangle, triangle, Edge, Ellipse, FillRule},
+    raster::{arc, ellipse, line, polygon, rectangle, rounded, triangle, Edge, Ellipse, FillRule, Radii, Sector},
     rect::Rect,
     surface::Surface,
 };
@@ -112,6 +112,61 @@ pub trait Canvas: Surface {
     #[inline]
     fn draw_square_point(&mut self, at: Vertex, size: I24F8, color: Self::Color) {
         self.fill_area(ellipse::square(at, size), color);
+    }
+
+    /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
+    #[inline]
+    fn draw_arc(&mut self, area: Rect, sector: Sector, color: Self::Color) {
+        arc::outline(area, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a sector of an ellipse, a slice of a pie.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Angle, Canvas, Ellipse, Framebuffer, Rect, Sector};
+    /// let mut ram = [b'.'; 36];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 6)?;
+    /// let slice = Sector::new(Angle::degrees(-90), Angle::degrees(0));
+    /// frame.fill_sector(Ellipse::in_box(Rect::new(0, 0, 6, 6)), slice, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b"...##....###...###..................");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn fill_sector(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
+        arc::fill(ellipse, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills what lies inside of `outer` and not inside of `inner`.
+    #[inline]
+    fn fill_ring(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
+        arc::ring(outer, inner, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a sector of a ring.
+    #[inline]
+    fn fill_ring_sector(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
+        arc::ring_sector(outer, inner, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, Radii, Rect};
+    /// let mut ram = [b'.'; 28];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 7, 4)?;
+    /// frame.fill_rounded(Rect::new(0, 0, 7, 4), Radii { top_right: 0, ..Radii::all(2) }, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".####################.#####.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+        rounded::fill(area, radii, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Draws the outline of a rectangle with rounded corners, one pixel wide.
+    #[inline]
+    fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+        rounded::outline(area, radii, self.window(), |span| self.fill_span(span, color));
     }
 
     /// Fills a polygon of one contour, closed by itself. `table` is scratch memory: see [`polygon::fill`].

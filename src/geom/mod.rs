@@ -11,7 +11,9 @@
 //!    y
 //! ```
 
+mod angle;
 mod vertex;
 
+pub use angle::Angle;
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;

@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// Numbers that the form is followed in. All that is stored fits; what is cut off on the way cancels out.
-pub(super) trait Number:
+pub(in crate::raster) trait Number:
     Copy
     + Default
     + PartialOrd
@@ -53,7 +53,7 @@ impl Number for Wrapping<i128> {
 /// A step changes E by a multiple of `2^(shift + 1)`, so that of `F = floor((E - bias) / 2^(shift + 1))` everything is
 /// known that decides: with bias 1, F < 0 means inside or on the curve; with bias 0, inside.
 #[derive(Copy, Clone)]
-pub(super) struct Form<T> {
+pub(in crate::raster) struct Form<T> {
     p: T,
     q: T,
     aa: T,
@@ -63,7 +63,7 @@ pub(super) struct Form<T> {
 impl<T: Number> Form<T> {
     /// With semi-axes a and b. A circle divides by a^2: then p = q = 1.
     #[inline(always)]
-    pub(super) fn new((a, b): (i64, i64), shift: u32) -> Self {
+    pub(in crate::raster) fn new((a, b): (i64, i64), shift: u32) -> Self {
         let (aa, bb) = (T::of(a) * T::of(a), T::of(b) * T::of(b));
         let (p, q) = if a == b { (T::of(1), T::of(1)) } else { (bb, aa) };
         Self { p, q, aa, shift }
@@ -130,7 +130,7 @@ impl<T: Number> Side<T> {
 
 /// The form on some row, followed downwards at one distance from the centre that moves.
 #[derive(Copy, Clone)]
-pub(super) struct Follower<T> {
+pub(in crate::raster) struct Follower<T> {
     side: Side<T>,
     down: T,
     second: (T, T),
@@ -139,7 +139,7 @@ pub(super) struct Follower<T> {
 impl<T: Number> Follower<T> {
     /// Starts at u on row v: at most `max` pixels are counted.
     #[inline(always)]
-    pub(super) fn new(form: &Form<T>, (u, v): (i64, i64), bias: i64, max: u32) -> Self {
+    pub(in crate::raster) fn new(form: &Form<T>, (u, v): (i64, i64), bias: i64, max: u32) -> Self {
         let (step, down) = form.steps(u, v);
         let side = Side { f: form.value(u, v, bias), step, count: 0, max };
         Self { side, down, second: form.second() }
@@ -147,7 +147,7 @@ impl<T: Number> Follower<T> {
 
     /// Pixels inside on this row; goes to the next.
     #[inline(always)]
-    pub(super) fn row(&mut self) -> u32 {
+    pub(in crate::raster) fn row(&mut self) -> u32 {
         self.side.settle(self.second.0);
         self.side.f += self.down;
         self.down += self.second.1;
@@ -157,7 +157,7 @@ impl<T: Number> Follower<T> {
 
 /// The rows of a filled ellipse that are visible.
 #[derive(Copy, Clone)]
-pub(super) struct Rows<T> {
+pub(in crate::raster) struct Rows<T> {
     right: Follower<T>,
     left: Follower<T>,
     /// Where the sides start to count: the right one from a pixel on, the left one from the pixel before.
@@ -169,7 +169,7 @@ pub(super) struct Rows<T> {
 impl<T: Number> Rows<T> {
     /// From the first row of `clip` on, which lies inside of the ellipse's box.
     #[inline(always)]
-    pub(super) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
+    pub(in crate::raster) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
         let form = Form::new(ellipse.radii, ellipse.shift);
         let v = ellipse.v(clip.y0);
         if ellipse.closed {
@@ -190,7 +190,7 @@ impl<T: Number> Rows<T> {
     /// First pixel and the one after the last of this row, inside of the clip for shapes that are not symmetric; goes to
     /// the next.
     #[inline(always)]
-    pub(super) fn row(&mut self) -> (i32, i32) {
+    pub(in crate::raster) fn row(&mut self) -> (i32, i32) {
         let right = self.from.wrapping_add(signed(self.right.row()));
         let left = match self.mirror {
             Some(sum) => sum.wrapping_sub(right),

@@ -37,8 +37,12 @@ use core::num::Wrapping;
 
 use fixed::types::I24F8;
 
-use self::form::{Number, Rows};
+use self::form::Rows;
 pub use self::outline::{enclosed, outline};
+pub(super) use self::{
+    form::{Follower, Form, Number},
+    outline::Border,
+};
 use crate::{
     geom::{bits, Vertex},
     num::{
@@ -148,7 +152,7 @@ impl Ellipse {
 
 /// What the form of an ellipse is followed in.
 #[derive(Copy, Clone, PartialEq, Eq)]
-enum Size {
+pub(super) enum Size {
     Small,
     Medium,
     Large,
@@ -156,7 +160,7 @@ enum Size {
 
 /// The bounds are those of [`form::Form::value`] and of the steps, two steps outside of the curve.
 #[inline(always)]
-fn size_of((a, b): (i64, i64), shift: u32) -> Size {
+pub(super) fn size_of((a, b): (i64, i64), shift: u32) -> Size {
     let small = if a == b { a <= 1 << 15 } else { shift == 1 && a < 1024 && b < 1024 && (a + 4) * (b + 4) < 92_681 };
     let limit = if shift == 1 { 1 << 16 } else { (1 << 18) - 1024 };
     if small {
@@ -207,6 +211,35 @@ fn fill_by<T: Number>(ellipse: &Ellipse, clip: Rect, mut emit: impl FnMut(Clippe
         let (x0, x1) = rows.row();
         if let Some(span) = (Span { y, x0, x1 }).clip_columns(clip) {
             emit(span);
+        }
+    }
+}
+
+/// The rows of any ellipse, one after the other.
+#[derive(Copy, Clone)]
+pub(super) enum AnyRows {
+    Small(Rows<Wrapping<i32>>),
+    Medium(Rows<Wrapping<i64>>),
+    Large(Rows<Wrapping<i128>>),
+}
+
+impl AnyRows {
+    /// From the first row of `clip` on, which lies inside of the extent.
+    pub(super) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
+        match ellipse.size() {
+            Size::Small => Self::Small(Rows::new(ellipse, clip)),
+            Size::Medium => Self::Medium(Rows::new(ellipse, clip)),
+            Size::Large => Self::Large(Rows::new(ellipse, clip)),
+        }
+    }
+
+    /// First pixel and the one after the last of this row, right where they are visible; goes to the next row.
+    #[inline(never)]
+    pub(super) fn row(&mut self) -> (i32, i32) {
+        match self {
+            Self::Small(rows) => rows.row(),
+            Self::Medium(rows) => rows.row(),
+            Self::Large(rows) => rows.row(),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::{
     size_of, Ellipse, Size,
 };
 use crate::{
-    num::cast::{signed, unsigned},
+    num::cast::{narrow, signed, unsigned},
     rect::Rect,
     span::{ClippedSpan, Span},
 };
@@ -64,12 +64,6 @@ fn draw_large<const FILLED: bool>(
     }
 }
 
-/// Numbers the columns from the middle outwards: column i of the right half has its mirror image in the left half.
-///
-/// On a row, the curve passes nearest to the columns from `low` to `high`. With `n(v)` the number of columns whose centres
-/// at height v lie inside, those that the curve crosses between `v - 1` and `v + 1`, which is half a pixel each, are
-/// `n(v + 1) .. n(v - 1)`: the sweep along columns. The nearest one to the crossing of the row itself is the one after the
-/// last whose midpoint to the next lies inside: the sweep along rows. The two never leave a gap.
 #[inline(always)]
 fn draw_by<T: Number, const FILLED: bool>(
     area: Rect,
@@ -77,40 +71,63 @@ fn draw_by<T: Number, const FILLED: bool>(
     clip: Rect,
     mut emit: impl FnMut(ClippedSpan),
 ) {
-    let form = Form::<T>::new(radii, 1);
     let ellipse = Ellipse::in_box(area);
     let (from, count) = mirrored(&ellipse, clip);
-    let (u, v) = (ellipse.u(from), ellipse.v(clip.y0));
-    let mut along_columns = Follower::new(&form, (u, v.wrapping_sub(1)), 1, count);
-    // From one column further in, if there is one, to one further out, as long as there is one.
-    let inner = u32::from(u > 1);
-    let outer = u32::from(from.wrapping_add(signed(count)) < area.x1);
-    let start = u.wrapping_add(1).wrapping_sub(if inner == 1 { 2 } else { 0 });
-    let most = count.wrapping_add(inner).wrapping_add(outer).wrapping_sub(1);
-    let mut along_rows = Follower::new(&form, (start, v), 1, most);
-
+    let outer = from.wrapping_add(signed(count)) < area.x1;
+    let mut side = Border::<T>::new(radii, (ellipse.u(from), ellipse.v(clip.y0)), count, outer);
     let sum = area.x0.wrapping_add(area.x1);
-    let nearest_from = from.wrapping_sub(signed(inner));
-    let at = |n: u32| from.wrapping_add(signed(n));
-    let mut above = along_columns.row();
     for y in clip.y0..clip.y1 {
-        let below = along_columns.row();
-        let nearest = nearest_from.wrapping_add(signed(along_rows.row()));
-        let low = at(above.min(below)).min(nearest);
-        let end = at(above.max(below)).max(nearest.wrapping_add(1));
-        above = below;
-        if FILLED || unsigned(low.wrapping_sub(area.x0)) <= unsigned(sum.wrapping_sub(low).wrapping_sub(area.x0)) {
-            // The halves touch.
-            if let Some(span) = (Span { y, x0: sum.wrapping_sub(end), x1: end }).clip_columns(clip) {
+        let (low, end) = side.row();
+        let (low, end) = (from.wrapping_add(low), from.wrapping_add(end));
+        let touch = unsigned(low.wrapping_sub(area.x0)) <= unsigned(area.x1.wrapping_sub(low));
+        // The left half, and the right one if they are apart.
+        let first_end = if FILLED || touch { end } else { sum.wrapping_sub(low) };
+        if let Some(span) = (Span { y, x0: sum.wrapping_sub(end), x1: first_end }).clip_columns(clip) {
+            emit(span);
+        }
+        if first_end != end {
+            if let Some(span) = (Span { y, x0: low, x1: end }).clip_columns(clip) {
                 emit(span);
             }
-            continue;
         }
-        if let Some(span) = (Span { y, x0: sum.wrapping_sub(end), x1: sum.wrapping_sub(low) }).clip_columns(clip) {
-            emit(span);
-        }
-        if let Some(span) = (Span { y, x0: low, x1: end }).clip_columns(clip) {
-            emit(span);
-        }
+    }
+}
+
+/// The outline on one side of the middle, its columns counted from a visible one outwards.
+///
+/// With `n(v)` the number of columns whose centres at height v lie inside, the columns that the curve crosses within half a
+/// pixel of a row are `n(v + 1) .. n(v - 1)`: the sweep along columns. The column nearest to the crossing of the row itself is
+/// the one after the last whose midpoint to the next lies inside: the sweep along rows. The two never leave a gap.
+pub(in crate::raster) struct Border<T> {
+    columns: Follower<T>,
+    nearest: Follower<T>,
+    /// n at the upper end of the row.
+    above: i32,
+    inner: i32,
+}
+
+impl<T: Number> Border<T> {
+    /// From the column at distance u on row v, for `count` columns. `outer`: there is another one beyond the last.
+    #[inline(always)]
+    pub(in crate::raster) fn new(radii: (i64, i64), (u, v): (i64, i64), count: u32, outer: bool) -> Self {
+        let form = Form::<T>::new(radii, 1);
+        let mut columns = Follower::new(&form, (u, v.wrapping_sub(1)), 1, count);
+        // From one column further in, if there is one, to one further out.
+        let inner = i64::from(u > 1);
+        let most = count.wrapping_add(u32::from(u > 1)).wrapping_add(outer.into()).wrapping_sub(1);
+        let start = u.wrapping_add(1).wrapping_sub(2 * inner);
+        let nearest = Follower::new(&form, (start, v), 1, most);
+        let above = signed(columns.row());
+        Self { columns, nearest, above, inner: narrow(inner) }
+    }
+
+    /// First column and the one after the last of this row; goes to the next.
+    #[inline(always)]
+    pub(in crate::raster) fn row(&mut self) -> (i32, i32) {
+        let below = signed(self.columns.row());
+        let nearest = signed(self.nearest.row()).wrapping_sub(self.inner);
+        let (low, high) = (self.above.min(below), self.above.max(below));
+        self.above = below;
+        (low.min(nearest), high.max(nearest.wrapping_add(1)))
     }
 }
