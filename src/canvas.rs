@@ -1,13 +1,16 @@
 //! [`Canvas`]: shapes on surfaces, the everyday API.
 
+mod flood;
+
 use core::borrow::Borrow;
 
 use embedded_graphics_core::geometry::Point;
+use fixed::types::I24F8;
 
 use crate::{
     error::Error,
     geom::Vertex,
-    raster::{line, polygon, rectangle, triangle, Edge, FillRule},
+    raster::{arc, ellipse, line, polygon, rectangle, rounded, triangle, Edge, Ellipse, FillRule, Radii, Sector},
     rect::Rect,
     surface::Surface,
 };
@@ -70,6 +73,100 @@ pub trait Canvas: Surface {
     #[inline]
     fn fill_triangle(&mut self, corners: [Vertex; 3], color: Self::Color) {
         triangle::fill(corners, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Ellipse, Framebuffer, Rect};
+    /// let mut ram = [b'.'; 20];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
+    /// frame.fill_ellipse(Ellipse::in_box(Rect::new(0, 0, 5, 4)), Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".###.##########.###.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn fill_ellipse(&mut self, ellipse: Ellipse, color: Self::Color) {
+        ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Draws the outline, one pixel wide, of the ellipse in a box of pixels.
+    #[inline]
+    fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
+        ellipse::outline(area, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included.
+    #[inline]
+    fn fill_enclosed(&mut self, area: Rect, color: Self::Color) {
+        ellipse::enclosed(area, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle.
+    #[inline]
+    fn draw_round_point(&mut self, at: Vertex, size: I24F8, color: Self::Color) {
+        self.fill_ellipse(Ellipse::splat(at, size), color);
+    }
+
+    /// Paints a square point of any size: the pixels whose centres lie inside, those on the left and top sides included.
+    #[inline]
+    fn draw_square_point(&mut self, at: Vertex, size: I24F8, color: Self::Color) {
+        self.fill_area(ellipse::square(at, size), color);
+    }
+
+    /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
+    #[inline]
+    fn draw_arc(&mut self, area: Rect, sector: Sector, color: Self::Color) {
+        arc::outline(area, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a sector of an ellipse, a slice of a pie.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Angle, Canvas, Ellipse, Framebuffer, Rect, Sector};
+    /// let mut ram = [b'.'; 36];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 6)?;
+    /// let slice = Sector::new(Angle::degrees(-90), Angle::degrees(0));
+    /// frame.fill_sector(Ellipse::in_box(Rect::new(0, 0, 6, 6)), slice, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b"...##....###...###..................");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn fill_sector(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
+        arc::fill(ellipse, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills what lies inside of `outer` and not inside of `inner`.
+    #[inline]
+    fn fill_ring(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
+        arc::ring(outer, inner, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a sector of a ring.
+    #[inline]
+    fn fill_ring_sector(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
+        arc::ring_sector(outer, inner, sector, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, Radii, Rect};
+    /// let mut ram = [b'.'; 28];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 7, 4)?;
+    /// frame.fill_rounded(Rect::new(0, 0, 7, 4), Radii { top_right: 0, ..Radii::all(2) }, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".####################.#####.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+        rounded::fill(area, radii, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Draws the outline of a rectangle with rounded corners, one pixel wide.
+    #[inline]
+    fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+        rounded::outline(area, radii, self.window(), |span| self.fill_span(span, color));
     }
 
     /// Fills a polygon of one contour, closed by itself. `table` is scratch memory: see [`polygon::fill`].

@@ -17,9 +17,11 @@ pub mod exact;
 pub mod polygon;
 pub mod triangulate;
 
+mod angle;
 mod vertex;
 mod viewport;
 
+pub use angle::Angle;
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
 pub use viewport::Viewport;

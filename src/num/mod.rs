@@ -11,3 +11,4 @@
 pub(crate) mod cast;
 pub(crate) mod round;
 pub(crate) mod stepper;
+pub(crate) mod trig;

@@ -26,6 +26,7 @@ mod color;
 pub(crate) mod mask;
 pub(crate) mod packed;
 mod palette;
+pub(crate) mod scan;
 pub(crate) mod walk;
 mod word;
 

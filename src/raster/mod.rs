@@ -12,12 +12,19 @@
 //!
 //! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 
+pub mod arc;
+pub mod ellipse;
+pub mod flood;
 pub mod line;
 pub mod polygon;
 pub mod rectangle;
+pub mod rounded;
 pub mod triangle;
 
 mod edge;
 
+pub use arc::Sector;
 pub use edge::Edge;
+pub use ellipse::Ellipse;
 pub use polygon::FillRule;
+pub use rounded::Radii;

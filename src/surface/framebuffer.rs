@@ -8,7 +8,7 @@ use super::{Bitmap, Surface};
 use crate::{
     error::Error,
     num::cast::index,
-    pixel::{self, row_bytes, PixelFormat},
+    pixel::{self, row_bytes, scan, PixelFormat},
     rect::Rect,
     span::{ClippedSpan, Steps},
 };
@@ -198,6 +198,28 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
         }
     }
 
+    /// The first of the pixels `x0..x1` of a row, all in the window, whose bits are wanted; `x1` if none is.
+    #[inline(always)]
+    pub(crate) fn find(&self, y: i32, x0: i32, x1: i32, wanted: impl Fn(u32) -> bool) -> i32 {
+        let start = self.x(x0);
+        let found = scan::find::<F>(self.memory, self.row_start(y), (start, self.x(x1)), wanted);
+        x0.wrapping_add(distance(start, found))
+    }
+
+    /// Where the pixels begin that end before `x`, not before `x0`, and whose bits are all wanted.
+    #[inline(always)]
+    pub(crate) fn start(&self, y: i32, x0: i32, x: i32, wanted: impl Fn(u32) -> bool) -> i32 {
+        let end = self.x(x);
+        let found = scan::start::<F>(self.memory, self.row_start(y), (self.x(x0), end), wanted);
+        x.wrapping_sub(distance(found, end))
+    }
+
+    /// The bits of a pixel that lies in the window.
+    #[inline(always)]
+    pub(crate) fn bits(&self, x: i32, y: i32) -> u32 {
+        scan::used::<F>(pixel::get::<F>(self.memory, self.row_start(y), self.x(x)))
+    }
+
     /// First byte of a row that lies in the window.
     #[inline(always)]
     pub(super) fn row_start(&self, y: i32) -> usize {
@@ -214,6 +236,12 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
     pub(super) fn memory(&mut self) -> &mut [u8] {
         self.memory
     }
+}
+
+/// From one place in a row to another, less than a row of 65,535 pixels away.
+#[inline(always)]
+fn distance(from: usize, to: usize) -> i32 {
+    i32::try_from(to.wrapping_sub(from)).unwrap_or_default()
 }
 
 /// Do `height` rows `stride` bytes apart fit into `given` bytes?

@@ -168,3 +168,61 @@ pub(crate) fn slope_and_round(a: Point, b: Point) -> Vec<Point> {
     };
     (0..=n).map(|k| Point::new(at(k, a.x, dx), at(k, a.y, dy))).collect()
 }
+
+/// Is the centre of a pixel inside the ellipse that touches the sides of a box, or on its curve? In half pixels
+/// `h^2 u^2 <= w^2 (h^2 - v^2)`: both sides are below 2^128 for any box.
+pub(crate) fn box_ellipse_has(area: Rect, x: i32, y: i32) -> bool {
+    let from_middle =
+        |at: i32, from: i32, to: i32| (2 * i64::from(at) + 1 - i64::from(from) - i64::from(to)).unsigned_abs();
+    let (u, v) = (from_middle(x, area.x0, area.x1), from_middle(y, area.y0, area.y1));
+    area.contains(x, y) && within((u, v), (area.width().into(), area.height().into())) != std::cmp::Ordering::Greater
+}
+
+/// Less: a place lies inside the ellipse with semi-axes a and b around the origin.
+fn within((u, v): (u64, u64), (a, b): (u64, u64)) -> std::cmp::Ordering {
+    let square = |n: u64| u128::from(n) * u128::from(n);
+    if v > b || u > a {
+        return std::cmp::Ordering::Greater;
+    }
+    (square(b) * square(u)).cmp(&(square(a) * (square(b) - square(v))))
+}
+
+/// Is the centre of a pixel inside an ellipse given in units, `per_pixel` to a pixel? On the curve: on its left half only.
+pub(crate) fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64, x: i32, y: i32) -> bool {
+    let u = i64::from(x) * per_pixel + per_pixel / 2 - centre.0;
+    let v = i64::from(y) * per_pixel + per_pixel / 2 - centre.1;
+    if radii.0 <= 0 || radii.1 <= 0 {
+        return false;
+    }
+    match within((u.unsigned_abs(), v.unsigned_abs()), (radii.0.unsigned_abs(), radii.1.unsigned_abs())) {
+        std::cmp::Ordering::Less => true,
+        std::cmp::Ordering::Equal => u < 0,
+        std::cmp::Ordering::Greater => false,
+    }
+}
+
+/// Does the outline of the ellipse in a box have a pixel? Of the column through the pixel, is it nearest to where the curve
+/// crosses, or of the row? Of two equally near pixels the outer one is.
+pub(crate) fn outline_has(area: Rect, x: i32, y: i32) -> bool {
+    if !area.contains(x, y) {
+        return false;
+    }
+    let (a, b) = (u64::from(area.width()) - 1, u64::from(area.height()) - 1);
+    let from_middle =
+        |at: i32, from: i32, to: i32| (2 * i64::from(at) + 1 - i64::from(from) - i64::from(to)).unsigned_abs();
+    let (u, v) = (from_middle(x, area.x0, area.x1), from_middle(y, area.y0, area.y1));
+    let inside = |u: u64, v: u64| within((u, v), (a, b)) != std::cmp::Ordering::Greater;
+    // The crossing lies at or outside of the midpoint to the next pixel inwards, and inside of that to the next outwards.
+    let in_column = (v == 0 || inside(u, v - 1)) && !inside(u, v + 1);
+    let in_row = (u == 0 || inside(u - 1, v)) && !inside(u + 1, v);
+    in_column || in_row
+}
+
+/// The outline and what lies between its pixels on each row.
+pub(crate) fn enclosed_has(area: Rect, x: i32, y: i32) -> bool {
+    let (a, b) = (u64::from(area.width()).wrapping_sub(1), u64::from(area.height()).wrapping_sub(1));
+    let from_middle =
+        |at: i32, from: i32, to: i32| (2 * i64::from(at) + 1 - i64::from(from) - i64::from(to)).unsigned_abs();
+    let (u, v) = (from_middle(x, area.x0, area.x1), from_middle(y, area.y0, area.y1));
+    outline_has(area, x, y) || area.contains(x, y) && within((u, v), (a, b)) != std::cmp::Ordering::Greater
+}

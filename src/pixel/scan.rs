@@ -1,0 +1,62 @@
+//! Looking for pixels along a row in memory.
+
+use super::{byte, get, has_unused_bits, PixelFormat};
+
+/// The first of pixels `x0..x1` of the row that starts at byte `row` whose bits are wanted; `x1` if none is.
+#[inline(always)]
+pub(crate) fn find<F: PixelFormat>(
+    memory: &[u8],
+    row: usize,
+    (x0, x1): (usize, usize),
+    wanted: impl Fn(u32) -> bool,
+) -> usize {
+    let mut x = x0;
+    match (F::BITS, memory.get(byte::<F>(row, x0)..byte::<F>(row, x1))) {
+        (16, Some(run)) => {
+            for pixel in run.chunks_exact(2) {
+                if pixel.first_chunk().is_some_and(|&p| wanted(used::<F>(u16::from_le_bytes(p).into()))) {
+                    return x;
+                }
+                x = x.wrapping_add(1);
+            }
+        }
+        (8, Some(run)) => {
+            for &pixel in run {
+                if wanted(used::<F>(pixel.into())) {
+                    return x;
+                }
+                x = x.wrapping_add(1);
+            }
+        }
+        _ => {
+            while x < x1 && !wanted(used::<F>(get::<F>(memory, row, x))) {
+                x = x.wrapping_add(1);
+            }
+        }
+    }
+    x
+}
+
+/// Where the pixels begin that end before pixel `x`, from `x0` on, and are all wanted.
+#[inline(always)]
+pub(crate) fn start<F: PixelFormat>(
+    memory: &[u8],
+    row: usize,
+    (x0, mut x): (usize, usize),
+    wanted: impl Fn(u32) -> bool,
+) -> usize {
+    while x > x0 && wanted(used::<F>(get::<F>(memory, row, x.wrapping_sub(1)))) {
+        x = x.wrapping_sub(1);
+    }
+    x
+}
+
+/// The bits without those that no colour has.
+#[inline(always)]
+pub(crate) fn used<F: PixelFormat>(bits: u32) -> u32 {
+    if has_unused_bits::<F>() {
+        F::pack(F::unpack(bits))
+    } else {
+        bits
+    }
+}

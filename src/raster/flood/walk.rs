@@ -1,0 +1,149 @@
+//! Flood fill without any memory: along the walls.
+//!
+//! A walker keeps a wall on its left. It paints the pixel it stands on and steps off it whenever the pixels around stay
+//! connected without it; then what is left to paint is in one piece, and the walker is in it. At the end one pixel is left.
+//!
+//! Whether the pixels around stay connected is seen from the eight neighbours: the *crossing number* is the number of walls
+//! that meet at a pixel, as far as one can see from there. At 1 it may be painted. At 2 it is part of a corridor: without
+//! it the region is in two pieces if both walls are the same one, and still in one piece if they are different. So when the
+//! walker comes round to where it has been and has painted nothing, it has followed one whole wall:
+//! - It came back the way it first came, and to this pixel for the first time, so the other wall is a different one: if
+//!   two walls meet here, the pixel is painted, and the loop is open.
+//! - It came from another side: both are the same wall. It goes back, and looks at the next pixel in the same way.
+//! - If neither helps, and the wall was that of an island in the region, the walker leaves it: from the highest pixel
+//!   along it, straight up to the next wall, which reaches higher. The outermost wall always has a pixel to paint: in the
+//!   part of the region behind a pixel that joins two, one that reaches furthest to some side is passed once, between
+//!   two walls at most.
+//!
+//! Sources: S. Yokoi, J. Toriwaki, T. Fukumura, "An analysis of topological properties of digitized binary pictures using
+//! local features", Computer Graphics and Image Processing 4, 1975 (the crossing number).
+
+use super::{Field, Reach};
+use crate::{rect::Rect, span::Span};
+
+/// The neighbours, clockwise from the right one: even numbers share a side.
+const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
+
+/// A walker: where it stands, and in which direction it came there.
+#[derive(Copy, Clone, PartialEq, Eq)]
+struct Walker {
+    x: i32,
+    y: i32,
+    direction: u32,
+}
+
+/// A lap along a wall.
+struct Lap {
+    start: Walker,
+    /// Eighths of a turn to the right so far: at the end 8 around the region, -8 around an island.
+    turns: i32,
+    /// The highest pixel so far.
+    top: (i32, i32),
+}
+
+/// Paints the open pixels that are connected with the open pixel at `(x, y)`.
+pub(super) fn paint(field: &mut impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) {
+    let mut walker = Walker::below_wall(field, window, (x, y));
+    let mut lap = Lap::new(walker);
+    loop {
+        let (open, walls) = around(field, window, reach, (walker.x, walker.y));
+        let mut free = walls == 1 || open == 0;
+        if !free && lap.is_over(walker) {
+            let passed_twice = lap.start.direction != walker.direction;
+            free = !passed_twice && walls == 2;
+            if !free {
+                walker = if !passed_twice && lap.turns < 0 {
+                    Walker::below_wall(field, window, lap.top)
+                } else {
+                    lap.start.step(open, reach).0
+                };
+                lap = Lap::new(walker);
+                continue;
+            }
+        }
+        let (next, turn) = walker.step(open, reach);
+        if free {
+            paint_pixel(field, window, walker);
+            if open == 0 {
+                return;
+            }
+            lap = Lap::new(next);
+        } else {
+            lap.go(next, turn);
+        }
+        walker = next;
+    }
+}
+
+impl Walker {
+    /// Straight up from an open pixel to where a wall is above, as if come along it from the left.
+    fn below_wall(field: &impl Field, window: Rect, (x, mut y): (i32, i32)) -> Self {
+        while is_open(field, window, x, y.wrapping_sub(1)) {
+            y = y.wrapping_sub(1);
+        }
+        Self { x, y, direction: 0 }
+    }
+
+    /// One step along the wall on the left, and by how many eighths it turns to the right.
+    fn step(self, open: u32, reach: Reach) -> (Self, i32) {
+        // By corners, the pixel to the left of the last step is known to be closed.
+        let first = if reach == Reach::Sides || self.direction & 1 != 0 { -2 } else { -1 };
+        for turn in first..first + 8 {
+            let direction = self.direction.wrapping_add_signed(turn) & 7;
+            if open >> direction & 1 != 0 {
+                let (x, y) = neighbour(self.x, self.y, direction);
+                return (Self { x, y, direction }, turn);
+            }
+        }
+        (self, 0)
+    }
+}
+
+impl Lap {
+    fn new(start: Walker) -> Self {
+        Self { start, turns: 0, top: (start.x, start.y) }
+    }
+
+    fn go(&mut self, to: Walker, turn: i32) {
+        self.turns = self.turns.wrapping_add(turn);
+        if to.y < self.top.1 {
+            self.top = (to.x, to.y);
+        }
+    }
+
+    /// Whether the walker is back at the first pixel. All the way round it has turned once.
+    fn is_over(&self, walker: Walker) -> bool {
+        (walker.x, walker.y) == (self.start.x, self.start.y) && (walker != self.start || self.turns != 0)
+    }
+}
+
+fn is_open(field: &impl Field, window: Rect, x: i32, y: i32) -> bool {
+    window.contains(x, y) && field.is_open(x, y)
+}
+
+fn neighbour(x: i32, y: i32, direction: u32) -> (i32, i32) {
+    let (dx, dy) = NEIGHBOURS.get(direction as usize).copied().unwrap_or_default();
+    (x.wrapping_add(dx), y.wrapping_add(dy))
+}
+
+/// The open neighbours that can be stepped to, as bits, and the number of walls that meet here.
+fn around(field: &impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) -> (u32, u32) {
+    let open = |direction| {
+        let (x, y) = neighbour(x, y, direction);
+        u32::from(is_open(field, window, x, y)) << direction
+    };
+    let open = (0..8).fold(0, |bits, direction| bits | open(direction));
+    // Yokoi's number: the sides where something begins that does not go on around the corner.
+    let (seen, steps) = match reach {
+        Reach::Sides => (open, open & 0x55),
+        Reach::Corners => (!open & 0xff, open),
+    };
+    let twice = seen | seen << 8;
+    (steps, (seen & !(twice >> 1 & twice >> 2) & 0x55).count_ones())
+}
+
+fn paint_pixel(field: &mut impl Field, window: Rect, Walker { x, y, .. }: Walker) {
+    if let Some(span) = (Span { y, x0: x, x1: x.wrapping_add(1) }).clip_columns(window) {
+        field.paint(span);
+    }
+}

@@ -1,0 +1,206 @@
+//! Rectangles with rounded corners, filled and in outline.
+//!
+//! Each corner is a quarter of the circle whose box is twice the radius wide, by the rules of [`ellipse`](super::ellipse):
+//! filled, the pixels whose centres lie inside of it or on it; in outline, those nearest to the curve through the centres
+//! of its outermost pixels. Between the corners the sides are straight.
+//! ```text
+//!   11 x 6, radii 3, 3, 1, 2, clockwise from the top left
+//!    .#########.      .#########.
+//!    ###########      #.........#
+//!    ###########      #.........#
+//!    ###########      #.........#
+//!    ###########      #.........#
+//!    .##########      .##########
+//! ```
+//! A radius of 0 or 1 is a corner of one pixel. *A radius is at most half of the shorter side*, rounded down: a larger one
+//! counts as that, by itself, whatever the others are.
+//!
+//! Range: any box, any radii. Work: additions, as many as there are visible rows, and visible columns in the corners.
+
+use core::num::Wrapping;
+
+use super::ellipse::{size_of, Border, Follower, Form, Number, Size};
+use crate::{
+    num::cast::{signed, unsigned},
+    rect::Rect,
+    span::{ClippedSpan, Span},
+};
+
+/// Radii of the four corners, in pixels.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Radii {
+    /// Of the top left corner.
+    pub top_left: u32,
+    /// Of the top right corner.
+    pub top_right: u32,
+    /// Of the bottom right corner.
+    pub bottom_right: u32,
+    /// Of the bottom left corner.
+    pub bottom_left: u32,
+}
+
+impl Radii {
+    /// The same radius at all corners.
+    pub const fn all(radius: u32) -> Self {
+        Self { top_left: radius, top_right: radius, bottom_right: radius, bottom_left: radius }
+    }
+
+    fn limited(self, area: Rect) -> Self {
+        let limit = area.width().min(area.height()) / 2;
+        let Self { top_left, top_right, bottom_right, bottom_left } = self;
+        Self {
+            top_left: top_left.min(limit),
+            top_right: top_right.min(limit),
+            bottom_right: bottom_right.min(limit),
+            bottom_left: bottom_left.min(limit),
+        }
+    }
+
+    fn largest(self) -> u32 {
+        self.top_left.max(self.top_right).max(self.bottom_right).max(self.bottom_left)
+    }
+}
+
+/// Emits the spans of a filled rectangle with rounded corners that lie in `window`, top row first.
+///
+/// Cannot fail.
+/// ```
+/// use embedded_raster::{raster::rounded::{self, Radii}, Rect};
+/// let mut widths = vec![];
+/// rounded::fill(Rect::new(0, 0, 9, 6), Radii::all(3), Rect::new(0, 0, 64, 48), |s| widths.push(s.len()));
+/// assert_eq!(widths, [7, 9, 9, 9, 9, 7]);
+/// ```
+#[inline]
+pub fn fill(area: Rect, radii: Radii, window: Rect, emit: impl FnMut(ClippedSpan)) {
+    draw::<false>(area, radii, window, emit);
+}
+
+/// Emits the spans of the outline of a rectangle with rounded corners that lie in `window`, top row first.
+///
+/// Cannot fail.
+#[inline]
+pub fn outline(area: Rect, radii: Radii, window: Rect, emit: impl FnMut(ClippedSpan)) {
+    draw::<true>(area, radii, window, emit);
+}
+
+#[inline(always)]
+fn draw<const OUTLINE: bool>(area: Rect, radii: Radii, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
+    let clip = area.intersection(window);
+    if clip.is_empty() {
+        return;
+    }
+    let radii = radii.limited(area);
+    let diameter = i64::from(radii.largest()) * 2;
+    match size_of((diameter, diameter), 1) {
+        Size::Small => draw_by::<Wrapping<i32>, OUTLINE>(area, radii, clip, emit),
+        _ => draw_large::<OUTLINE>(area, radii, clip, &mut emit),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn draw_large<const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    draw_by::<Wrapping<i128>, OUTLINE>(area, radii, clip, emit);
+}
+
+#[inline(always)]
+fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, mut emit: impl FnMut(ClippedSpan)) {
+    // Columns as distances from the left and from the right side.
+    let from_left = (unsigned(clip.x0.wrapping_sub(area.x0)), unsigned(clip.x1.wrapping_sub(area.x0)));
+    let from_right = (unsigned(area.x1.wrapping_sub(clip.x1)), unsigned(area.x1.wrapping_sub(clip.x0)));
+    let rows = (unsigned(clip.y0.wrapping_sub(area.y0)), unsigned(clip.y1.wrapping_sub(area.y0)));
+    let mut left = Flank::<T, OUTLINE>::new((radii.top_left, radii.bottom_left), area.height(), rows, from_left);
+    let mut right = Flank::<T, OUTLINE>::new((radii.top_right, radii.bottom_right), area.height(), rows, from_right);
+    for y in clip.y0..clip.y1 {
+        let ((left, left_end), (right, right_end)) = (left.row(), right.row());
+        let (x0, x1) = (area.x0.wrapping_add(signed(left)), area.x1.wrapping_sub(signed(right)));
+        let whole = !OUTLINE || y == area.y0 || y == area.y1.wrapping_sub(1) || area.width() == 1;
+        let first_end = if whole { x1 } else { area.x0.wrapping_add(signed(left_end)) };
+        if let Some(span) = (Span { y, x0, x1: first_end }).clip_columns(clip) {
+            emit(span);
+        }
+        if !whole {
+            if let Some(span) = (Span { y, x0: area.x1.wrapping_sub(signed(right_end)), x1 }).clip_columns(clip) {
+                emit(span);
+            }
+        }
+    }
+}
+
+/// The left or the right side, by distances from it: two corners, and what is straight between them.
+struct Flank<T, const OUTLINE: bool> {
+    corners: [Corner<T>; 2],
+    /// Rows left in the upper corner, between the corners, and in the lower one.
+    rows: [u32; 2],
+}
+
+impl<T: Number, const OUTLINE: bool> Flank<T, OUTLINE> {
+    #[inline(always)]
+    fn new((upper, lower): (u32, u32), height: u32, rows: (u32, u32), columns: (u32, u32)) -> Self {
+        let straight_end = height.wrapping_sub(lower);
+        let corner =
+            |radius: u32, row: u32, y: i64| Corner::new::<OUTLINE>(radius, y + 2 * i64::from(row) + 1, columns);
+        Self {
+            corners: [
+                corner(upper, rows.0.min(upper), -2 * i64::from(upper)),
+                corner(lower, rows.0.saturating_sub(straight_end), 0),
+            ],
+            rows: [upper.saturating_sub(rows.0), straight_end.saturating_sub(rows.0.max(upper))],
+        }
+    }
+
+    /// The first pixel of this row and the one after the last of the outline; goes to the next row.
+    #[inline(always)]
+    fn row(&mut self) -> (u32, u32) {
+        let [upper, straight] = &mut self.rows;
+        let [first, second] = &mut self.corners;
+        if *upper > 0 {
+            *upper = upper.wrapping_sub(1);
+            first.row()
+        } else if *straight > 0 {
+            *straight = straight.wrapping_sub(1);
+            (0, 1)
+        } else {
+            second.row()
+        }
+    }
+}
+
+/// A quarter of a circle.
+enum Corner<T> {
+    Filled { inside: Follower<T>, end: u32 },
+    Outline { border: Border<T>, end: u32 },
+}
+
+impl<T: Number> Corner<T> {
+    /// From the row at distance v from the centre, in half pixels, for the columns from the side that are visible.
+    #[inline(always)]
+    fn new<const OUTLINE: bool>(radius: u32, v: i64, (x0, x1): (u32, u32)) -> Self {
+        // Counted from the column next to the centre outwards: the last visible one from the side comes first.
+        let first = radius.saturating_sub(x1);
+        let count = radius.saturating_sub(x0).saturating_sub(first);
+        let u = 2 * i64::from(first) + 1;
+        let end = radius.wrapping_sub(first);
+        let diameter = 2 * i64::from(radius);
+        if OUTLINE {
+            let outer = first.wrapping_add(count) < radius;
+            // A corner without visible columns is only asked where nothing is seen.
+            let border = Border::new((diameter - 1, diameter - 1), (u, v), count.max(1), outer);
+            Self::Outline { border, end }
+        } else {
+            let form = Form::new((diameter, diameter), 1);
+            Self::Filled { inside: Follower::new(&form, (u, v), 1, count), end }
+        }
+    }
+
+    #[inline(always)]
+    fn row(&mut self) -> (u32, u32) {
+        match self {
+            Self::Filled { inside, end } => (end.wrapping_sub(inside.row()), 0),
+            Self::Outline { border, end } => {
+                let (low, high) = border.row();
+                (end.wrapping_sub(unsigned(high)), end.wrapping_sub(unsigned(low)))
+            }
+        }
+    }
+}
