@@ -19,9 +19,9 @@ mod target;
 
 pub use canvas::Canvas;
 pub use error::Error;
-pub use geom::Vertex;
+pub use geom::{Path, PathSegment, Vertex};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Edge, FillRule};
+pub use raster::{Cap, Edge, FillRule, Join, Stroke};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

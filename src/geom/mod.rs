@@ -11,7 +11,12 @@
 //!    y
 //! ```
 
+pub mod flatten;
+mod path;
 mod vertex;
+mod view;
 
+pub use path::{Contours, Path, PathSegment};
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
+pub(crate) use view::View;
