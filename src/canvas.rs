@@ -11,6 +11,8 @@ use crate::{
     error::Error,
     geom::Vertex,
     raster::{arc, ellipse, line, polygon, rectangle, rounded, triangle, Edge, Ellipse, FillRule, Radii, Sector},
+    geom::{Path, PathSegment, Vertex},
+    raster::{line, outline, polygon, rectangle, stroke::Dashing, triangle, Edge, FillRule, Stroke},
     rect::Rect,
     surface::Surface,
 };
@@ -203,6 +205,121 @@ pub trait Canvas: Surface {
         <C::Item as IntoIterator>::Item: Borrow<Vertex>,
     {
         polygon::fill(contours, rule, self.window(), table, |span| self.fill_span(span, color))
+    }
+
+    /// Fills a path: see [`flatten`](crate::geom::flatten) for how its curves become lines.
+    /// ```
+    /// use embedded_raster::{buffer_bytes, Canvas, Edge, FillRule, Framebuffer, Index1, Path, PathSegment::*, Vertex};
+    /// let mut ram = [0; buffer_bytes::<Index1>(16, 8)];
+    /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
+    /// let arch = [MoveTo(Vertex::px(0, 8)), QuadraticTo(Vertex::px(8, -8), Vertex::px(16, 8))];
+    /// frame.fill_path(Path::new(&arch), FillRule::NonZero, &mut [Edge::EMPTY; 8], Index1::MAX)?;
+    /// let rows = [0b0000_0011_1100_0000_u16, 0b0000_0111_1110_0000, 0b0000_1111_1111_0000];
+    /// assert_eq!(ram[..6], rows.map(u16::to_be_bytes).concat()[..]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    #[inline]
+    fn fill_path(
+        &mut self,
+        path: Path<'_>,
+        rule: FillRule,
+        table: &mut [Edge],
+        color: Self::Color,
+    ) -> Result<(), Error> {
+        let window = self.window();
+        polygon::fill(path.contours_in(window), rule, window, table, |span| self.fill_span(span, color))
+    }
+
+    /// Draws the outline of a path, one pixel wide: see [`outline`](crate::raster::outline) for which pixels.
+    #[inline]
+    fn draw_path(&mut self, path: Path<'_>, color: Self::Color) {
+        outline::draw(path, self.window(), |span| self.fill_span(span, color));
+    }
+
+    /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.
+    /// ```
+    /// use embedded_graphics_core::geometry::Point;
+    /// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, Index1, Vertex};
+    /// let mut ram = [0; buffer_bytes::<Index1>(16, 4)];
+    /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 4)?;
+    /// let [a, b] = [0, 15].map(|x| Vertex::centre_of(Point::new(x, 0)));
+    /// frame.draw_quadratic([a, Vertex::px(8, 7), b], Index1::MAX);
+    /// let rows = [0b1000_0000_0000_0001_u16, 0b0110_0000_0000_0110, 0b0001_0000_0000_1000, 0b0000_1111_1111_0000];
+    /// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn draw_quadratic(&mut self, [a, c, b]: [Vertex; 3], color: Self::Color) {
+        self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
+    }
+
+    /// Draws a cubic Bézier curve one pixel wide: start, two control points, end.
+    #[inline]
+    fn draw_cubic(&mut self, [a, c, d, b]: [Vertex; 4], color: Self::Color) {
+        self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
+    }
+
+    /// Draws the outline of a path with a width: see [`stroke`](crate::raster::stroke).
+    ///
+    /// # Errors
+    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each
+    /// piece of the stroke that a row meets takes two slots.
+    #[inline]
+    fn stroke_path<D: Dashing>(
+        &mut self,
+        path: Path<'_>,
+        stroke: &Stroke<D>,
+        table: &mut [Edge],
+        color: Self::Color,
+    ) -> Result<(), Error>
+    where
+        Self: Sized,
+    {
+        let window = self.window();
+        let parts = stroke.of_path(path, window);
+        polygon::fill(parts, FillRule::NonZero, window, table, |span| self.fill_span(span, color))
+    }
+
+    /// Draws lines with a width from each place to the next, and back to the first one if they are `closed`.
+    ///
+    /// # Errors
+    /// As for [`stroke_path`](Self::stroke_path).
+    #[inline]
+    fn stroke_polyline<D: Dashing>(
+        &mut self,
+        places: &[Vertex],
+        closed: bool,
+        stroke: &Stroke<D>,
+        table: &mut [Edge],
+        color: Self::Color,
+    ) -> Result<(), Error>
+    where
+        Self: Sized,
+    {
+        let window = self.window();
+        let parts = stroke.of_polyline(places, closed, window);
+        polygon::fill(parts, FillRule::NonZero, window, table, |span| self.fill_span(span, color))
+    }
+
+    /// Draws a line with a width, in pieces that turn the same way: see [`stroke`](crate::raster::stroke).
+    ///
+    /// # Errors
+    /// As for [`stroke_path`](Self::stroke_path). A solid line takes 4 slots with butt caps, 12 with square ones.
+    #[inline]
+    fn stroke_line<D: Dashing>(
+        &mut self,
+        [a, b]: [Vertex; 2],
+        stroke: &Stroke<D>,
+        table: &mut [Edge],
+        color: Self::Color,
+    ) -> Result<(), Error>
+    where
+        Self: Sized,
+    {
+        self.stroke_polyline(&[a, b], false, stroke, table, color)
     }
 }
 

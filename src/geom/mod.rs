@@ -25,3 +25,12 @@ pub use angle::Angle;
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
 pub use viewport::Viewport;
+pub mod flatten;
+mod path;
+mod vertex;
+mod view;
+
+pub use path::{Contours, Path, PathSegment};
+pub(crate) use vertex::bits;
+pub use vertex::Vertex;
+pub(crate) use view::View;

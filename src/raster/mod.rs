@@ -16,11 +16,14 @@ pub mod arc;
 pub mod ellipse;
 pub mod flood;
 pub mod line;
+pub mod outline;
 pub mod polygon;
 pub mod rectangle;
 pub mod rounded;
+pub mod stroke;
 pub mod triangle;
 
+mod direction;
 mod edge;
 
 pub use arc::Sector;
@@ -28,3 +31,4 @@ pub use edge::Edge;
 pub use ellipse::Ellipse;
 pub use polygon::FillRule;
 pub use rounded::Radii;
+pub use stroke::{Cap, Join, Stroke};

@@ -11,11 +11,13 @@
     reason = "tests mix widths on purpose; the wide side is checked where it matters"
 )]
 
+pub(crate) mod curves;
 pub(crate) mod frame;
 pub(crate) mod hits;
 pub(crate) mod memory;
 pub(crate) mod rng;
 pub(crate) mod scenes;
+pub(crate) mod strokes;
 pub(crate) mod twins;
 
 use embedded_raster::{ClippedSpan, Rect, Vertex};

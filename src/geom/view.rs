@@ -1,0 +1,40 @@
+//! [`View`]: a window as shapes see it.
+
+use super::{bits, Vertex};
+use crate::{num::cast::saturate, rect::Rect};
+
+/// What may be seen: places in 24.8 units, all four sides included.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct View {
+    x0: i32,
+    y0: i32,
+    x1: i32,
+    y1: i32,
+}
+
+impl View {
+    /// Everywhere.
+    pub(crate) const ALL: Self = Self { x0: i32::MIN, y0: i32::MIN, x1: i32::MAX, y1: i32::MAX };
+
+    /// A window, and `reach` units around it.
+    pub(crate) fn of(window: Rect, reach: u32) -> Self {
+        let low = |n: i32| saturate((i64::from(n) << 8).wrapping_sub(i64::from(reach)));
+        let high = |n: i32| saturate((i64::from(n) << 8).wrapping_add(i64::from(reach)));
+        Self { x0: low(window.x0), y0: low(window.y0), x1: high(window.x1), y1: high(window.y1) }
+    }
+
+    /// Whether the box around two places, and `slack` units around it, lies on one side of the view.
+    pub(crate) fn hides(&self, a: Vertex, b: Vertex, slack: i64) -> bool {
+        let (a, b) = (bits(a), bits(b));
+        let beside = |p: i32, q: i32, low: i32, high: i32| {
+            i64::from(p.max(q)).wrapping_add(slack) < i64::from(low)
+                || i64::from(p.min(q)).wrapping_sub(slack) > i64::from(high)
+        };
+        beside(a.0, b.0, self.x0, self.x1) || beside(a.1, b.1, self.y0, self.y1)
+    }
+
+    pub(crate) fn holds(&self, v: Vertex) -> bool {
+        let (x, y) = bits(v);
+        self.x0 <= x && x <= self.x1 && self.y0 <= y && y <= self.y1
+    }
+}

@@ -1,0 +1,311 @@
+//! Paths: the vertices of every curve against Bernstein's polynomials in integers of 128 bits, the curves' distance from
+//! their chords, and the pixels of fills and thin outlines against their rules.
+
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a twin in wide integers and floats")]
+
+mod support;
+
+use std::collections::HashSet;
+
+use embedded_raster::{
+    raster::{self, polygon},
+    Edge, FillRule, Path, Rect, Vertex,
+};
+use support::{
+    assert_runs, collect,
+    curves::{
+        distance, flattened, outlines, parameter, pieces, places, random_path, segments, true_point, Outline, Piece,
+    },
+    rng::Rng,
+    scenes::{outline, window_on, Scale},
+    twins, Run, Units,
+};
+
+/// Fills are flattened within 2^5 units and a little more for rounding.
+const FINE: u32 = 5;
+
+fn units(v: Vertex) -> Units {
+    (v.x.to_bits(), v.y.to_bits())
+}
+
+fn contours(pieces: &[Piece]) -> Vec<(Vec<Units>, bool)> {
+    let path = segments(pieces);
+    Path::new(&path)
+        .contours()
+        .map(|c| (c.is_closed(), c))
+        .map(|(closed, c)| (c.map(units).collect(), closed))
+        .collect()
+}
+
+fn wanted_contours(pieces: &[Piece]) -> Vec<(Vec<Units>, bool)> {
+    outlines(pieces, FINE).into_iter().map(|Outline { places, closed, .. }| (places, closed)).collect()
+}
+
+fn filled(pieces: &[Piece], rule: FillRule, window: Rect, capacity: usize) -> Vec<Run> {
+    let path = segments(pieces);
+    let mut table = vec![Edge::EMPTY; capacity];
+    collect(window, |emit| {
+        let contours = Path::new(&path).contours_in(window);
+        polygon::fill(contours, rule, window, &mut table, emit).expect("enough slots");
+    })
+}
+
+#[test]
+fn vertices_are_the_nearest_to_the_curve() {
+    let mut rng = Rng::new(400);
+    for scale in Scale::ALL {
+        for _ in 0..if scale == Scale::Ends { 1_500 } else { 6_000 } {
+            let path = random_path(&mut rng, scale, 4);
+            assert_eq!(contours(&path), wanted_contours(&path), "{path:?}");
+        }
+    }
+}
+
+/// As far as a curve gets from its chords, in `f64`, and how many pieces it would take at the least.
+#[test]
+fn curves_stay_within_the_tolerance_with_few_pieces() {
+    let mut rng = Rng::new(401);
+    let (mut farthest, mut most) = (0.0_f64, 0);
+    for i in 0..6_000 {
+        let scale = [Scale::Tiny, Scale::Screen, Scale::Hundred][i % 3];
+        let points = outline(&mut rng, scale, 3 + i % 2);
+        let vertices = flattened(&points, FINE);
+        let n = vertices.len();
+        most = most.max(n);
+        let chords: Vec<Units> = core::iter::once(points[0]).chain(vertices).collect();
+        let as_float = |p: Units| (f64::from(p.0), f64::from(p.1));
+        let mut here = 0.0_f64;
+        for (i, chord) in chords.windows(2).enumerate() {
+            for s in 0..=8 {
+                let (from, to) = (parameter(n, i), parameter(n, i + 1));
+                let p = true_point(&points, from + (to - from) * f64::from(s) / 8.0);
+                here = here.max(distance(p, as_float(chord[0]), as_float(chord[1])));
+            }
+        }
+        farthest = farthest.max(here);
+        assert!(here <= 34.0, "{points:?}: {here} units off with {n} pieces");
+        // A quadratic curve bends evenly: one piece less is too few (but for the length's rounding up, and T(i)).
+        if points.len() == 3 && n > 1 {
+            let second = |a: i32, b: i32, c: i32| f64::from(a) - 2.0 * f64::from(b) + f64::from(c);
+            let [a, b, c] = [points[0], points[1], points[2]];
+            let bend = second(a.0, b.0, c.0).hypot(second(a.1, b.1, c.1));
+            let fewest = (bend / 4.0 / 32.0).sqrt().ceil();
+            assert!(n as f64 <= fewest + 1.0, "{points:?}: {n} pieces, {fewest} are enough");
+        }
+    }
+    assert!(farthest > 30.0 && most > 300, "{farthest} units off, {most} pieces: too easy");
+}
+
+/// The ends of the type make the most pieces there are.
+#[test]
+fn the_number_of_pieces_is_bounded() {
+    let (low, high) = (i32::MIN, i32::MAX);
+    let worst = [(low, low), (high, high), (low, low), (high, high)];
+    assert_eq!(pieces(&worst, 5), 16_874);
+    assert_eq!(pieces(&worst, 3), 33_748);
+    assert_eq!(flattened(&worst, 5).len(), 16_874);
+    let path = [Piece::Move(worst[0]), Piece::Cubic(worst[1], worst[2], worst[3])];
+    assert_eq!(contours(&path), wanted_contours(&path));
+}
+
+/// A window asks a curve for few of its vertices, wherever the curve goes.
+#[test]
+fn work_depends_on_the_window() {
+    let mut rng = Rng::new(402);
+    let mut most = 0;
+    for _ in 0..5_000 {
+        let path = random_path(&mut rng, Scale::Ends, 1);
+        let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
+        let path = segments(&path);
+        most = most.max(Path::new(&path).contours_in(window).map(Iterator::count).sum::<usize>());
+    }
+    assert!(most < 400, "{most} vertices for a window");
+}
+
+fn check_fill(path: &[Piece], window: Rect) -> bool {
+    let contours: Vec<Vec<Units>> = outlines(path, FINE).into_iter().map(|o| o.places).collect();
+    let count = contours.iter().map(Vec::len).sum();
+    let mut seen = false;
+    for rule in [FillRule::NonZero, FillRule::EvenOdd] {
+        let wanted = twins::polygon(&contours, rule, window);
+        let got = filled(path, rule, window, count);
+        assert_runs(window, &got, &wanted, || format!("{rule:?} {path:?}"));
+        seen |= !wanted.is_empty();
+    }
+    seen
+}
+
+fn fills(scale: Scale, count: usize) {
+    let mut rng = Rng::new(410 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..count {
+        let path = random_path(&mut rng, scale, 3);
+        let all = places(&path);
+        let window = if all.is_empty() { Rect::new(-4, -4, 9, 9) } else { window_on(&mut rng, &all) };
+        seen += usize::from(check_fill(&path, window));
+    }
+    assert!(seen > count / 8, "only {seen} paths were seen");
+}
+
+#[test]
+fn tiny_paths() {
+    fills(Scale::Tiny, 12_000);
+}
+
+#[test]
+fn screen_paths() {
+    fills(Scale::Screen, 6_000);
+}
+
+#[test]
+fn paths_of_a_hundred_screens() {
+    fills(Scale::Hundred, 1_500);
+}
+
+#[test]
+fn paths_at_the_ends_of_the_type() {
+    fills(Scale::Ends, 250);
+}
+
+/// With a table for a few rows only, and in tiles: the same pixels.
+#[test]
+fn small_tables_and_tiles_show_the_same_path() {
+    let mut rng = Rng::new(403);
+    let whole = Rect::new(-3, -3, 45, 37);
+    for _ in 0..300 {
+        let path = random_path(&mut rng, Scale::Tiny, 4);
+        let all = filled(&path, FillRule::NonZero, whole, 400);
+        // A row is crossed by each curve a few times.
+        assert_eq!(filled(&path, FillRule::NonZero, whole, 60), all, "{path:?}");
+        for size in support::TILE_SIZES {
+            let mut hits = support::hits::Hits::new(whole);
+            for tile in support::tiles(whole, size) {
+                hits.add(&filled(&path, FillRule::NonZero, tile, 400));
+            }
+            assert_runs(whole, &hits.runs(), &all, || format!("{path:?} in tiles of {size:?}"));
+        }
+    }
+}
+
+/// Thin outlines are flattened within 2^3 units.
+const FINER: u32 = 3;
+
+/// The pixels of one line: along the longer axis one a column, where the line is at its centre or ends before.
+fn line_pixels(a: Units, b: Units) -> Vec<(i32, i32)> {
+    let wide = |p: Units| (i128::from(p.0), i128::from(p.1));
+    let ((ax, ay), (bx, by)) = (wide(a), wide(b));
+    if (by - ay).abs() > (bx - ax).abs() {
+        return line_pixels((a.1, a.0), (b.1, b.0)).into_iter().map(|(y, x)| (x, y)).collect();
+    }
+    let (first, last) = (ax.div_euclid(256), bx.div_euclid(256));
+    let pixel = |x: i128| {
+        let place = (256 * x + 128).clamp(ax.min(bx), ax.max(bx));
+        // 256 (ay + (place - ax) (by - ay) / (bx - ax)), rounded down.
+        let (n, d) = (ay * (bx - ax) + (place - ax) * (by - ay), 256 * (bx - ax));
+        let y = if d == 0 { ay.div_euclid(256) } else { (n * d.signum()).div_euclid(d.abs()) };
+        (x as i32, y as i32)
+    };
+    let mut pixels: Vec<_> = (first.min(last)..=first.max(last)).map(pixel).collect();
+    if first > last {
+        pixels.reverse();
+    }
+    pixels
+}
+
+/// All pixels of an outline, contour by contour.
+fn outline_pixels(path: &[Piece]) -> Vec<Vec<(i32, i32)>> {
+    let pixels = |contour: Outline| {
+        let mut places = contour.places;
+        if contour.closed {
+            places.push(places[0]);
+        }
+        let mut all = vec![(places[0].0 >> 8, places[0].1 >> 8)];
+        all.extend(places.windows(2).flat_map(|p| line_pixels(p[0], p[1])));
+        all.dedup();
+        let touch = |i: usize| {
+            let (Some(p), Some(q)) = (all.get(i.wrapping_sub(1)), all.get(i + 1)) else { return false };
+            p != q && (p.0 - q.0).abs() <= 1 && (p.1 - q.1).abs() <= 1
+        };
+        (0..all.len()).filter(|&i| !touch(i) || (i > 0 && touch(i - 1))).map(|i| all[i]).collect()
+    };
+    outlines(path, FINER).into_iter().map(pixels).collect()
+}
+
+fn drawn(path: &[Piece], window: Rect) -> Vec<(i32, i32)> {
+    let path = segments(path);
+    let mut pixels = vec![];
+    raster::outline::draw(Path::new(&path), window, |s| pixels.extend((s.x0()..s.x1()).map(|x| (x, s.y()))));
+    assert!(pixels.iter().all(|p| window.contains(p.0, p.1)), "outside of the window");
+    pixels.sort_unstable();
+    pixels.dedup();
+    pixels
+}
+
+fn thin(scale: Scale, count: usize) {
+    let mut rng = Rng::new(420 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..count {
+        let mut path = random_path(&mut rng, scale, 3);
+        // The twin walks the whole way, which is not to begin in the middle of the plane.
+        let all = [places(&path), vec![(0, 0)]].concat();
+        path.insert(0, Piece::Move(all[0]));
+        let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
+        let mut wanted: Vec<_> = outline_pixels(&path).concat();
+        wanted.retain(|p| window.contains(p.0, p.1));
+        wanted.sort_unstable();
+        wanted.dedup();
+        assert_eq!(drawn(&path, window), wanted, "{path:?} in {window:?}");
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen > count / 4, "only {seen} outlines were seen");
+}
+
+#[test]
+fn tiny_outlines() {
+    thin(Scale::Tiny, 20_000);
+}
+
+#[test]
+fn screen_outlines() {
+    thin(Scale::Screen, 6_000);
+}
+
+#[test]
+fn outlines_of_a_hundred_screens() {
+    thin(Scale::Hundred, 150);
+}
+
+#[test]
+fn outlines_at_the_ends_of_the_type() {
+    thin(Scale::Ends, 1);
+}
+
+/// Every pixel touches the next, none is far from the curve, no part of the curve is far from a pixel.
+#[test]
+fn outlines_are_connected_and_close() {
+    let mut rng = Rng::new(404);
+    let mut farthest = 0.0_f64;
+    for i in 0..3_000 {
+        let size = rng.pick(&[600, 3_000, 12_000]);
+        let points: Vec<Units> = (0..3 + i % 2).map(|_| (rng.int(0, size), rng.int(0, size))).collect();
+        let curve = match points[..] {
+            [_, b, c] => Piece::Quadratic(b, c),
+            _ => Piece::Cubic(points[1], points[2], points[3]),
+        };
+        let path = [Piece::Move(points[0]), curve];
+        let pixels = outline_pixels(&path).concat();
+        assert!(
+            pixels.windows(2).all(|p| (p[0].0 - p[1].0).abs() <= 1 && (p[0].1 - p[1].1).abs() <= 1),
+            "a gap: {points:?} {pixels:?}"
+        );
+        assert_eq!(drawn(&path, Rect::new(-1, -1, 50, 50)).len(), pixels.iter().collect::<HashSet<_>>().len());
+        let truth: Vec<(f64, f64)> = (0..=2_000).map(|t| true_point(&points, f64::from(t) / 2_000.0)).collect();
+        for p in pixels {
+            let centre = (f64::from(p.0) * 256.0 + 128.0, f64::from(p.1) * 256.0 + 128.0);
+            let near = truth.windows(2).map(|w| distance(centre, w[0], w[1])).fold(f64::MAX, f64::min) / 256.0;
+            assert!(near <= 0.75, "{p:?} is {near} pixels from {points:?}");
+            farthest = farthest.max(near);
+        }
+    }
+    assert!(farthest > 0.6, "{farthest} pixels at most: too easy");
+}

@@ -1,0 +1,174 @@
+//! Paths and their flattening, word for word, in integers of 128 bits.
+
+use embedded_raster::{PathSegment, Vertex};
+
+use super::{rng::Rng, scenes::outline, scenes::Scale, Units};
+
+/// A segment in plain units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Piece {
+    Move(Units),
+    Line(Units),
+    Quadratic(Units, Units),
+    Cubic(Units, Units, Units),
+    Close,
+}
+
+pub(crate) fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
+    let v = |p: Units| Vertex::from_bits(p.0, p.1);
+    let segment = |piece: &Piece| match *piece {
+        Piece::Move(a) => PathSegment::MoveTo(v(a)),
+        Piece::Line(a) => PathSegment::LineTo(v(a)),
+        Piece::Quadratic(a, b) => PathSegment::QuadraticTo(v(a), v(b)),
+        Piece::Cubic(a, b, c) => PathSegment::CubicTo(v(a), v(b), v(c)),
+        Piece::Close => PathSegment::Close,
+    };
+    pieces.iter().map(segment).collect()
+}
+
+/// A contour as vertices, each with whether the path is smooth there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Outline {
+    pub(crate) places: Vec<Units>,
+    pub(crate) smooth: Vec<bool>,
+    pub(crate) closed: bool,
+}
+
+/// The contours of a path, curves within `2^shift` units.
+pub(crate) fn outlines(pieces: &[Piece], shift: u32) -> Vec<Outline> {
+    let mut all = vec![];
+    let mut start = (0, 0);
+    let mut open: Option<Outline> = None;
+    for piece in pieces {
+        if let Piece::Move(to) = piece {
+            all.extend(open.take());
+            start = *to;
+            continue;
+        }
+        let outline = open.get_or_insert_with(|| Outline { places: vec![start], smooth: vec![false], closed: false });
+        let from = *outline.places.last().expect("it has a start");
+        let points = match *piece {
+            Piece::Line(a) => vec![from, a],
+            Piece::Quadratic(a, b) => vec![from, a, b],
+            Piece::Cubic(a, b, c) => vec![from, a, b, c],
+            Piece::Close | Piece::Move(_) => {
+                outline.closed = true;
+                all.extend(open.take());
+                continue;
+            }
+        };
+        let places = if points.len() == 2 { vec![points[1]] } else { flattened(&points, shift) };
+        let last = places.len() - 1;
+        outline.smooth.extend((0..places.len()).map(|i| i != last));
+        outline.places.extend(places);
+    }
+    all.extend(open);
+    all
+}
+
+/// `ceil(sqrt(n))`.
+pub(crate) fn root_above(n: u128) -> u128 {
+    let root = n.isqrt();
+    root + u128::from(root * root != n)
+}
+
+/// Length of the second difference rounded up; where a coordinate has more than 31 bits, of so many high bits, each
+/// coordinate rounded to the next.
+fn bend(a: Units, b: Units, c: Units) -> u128 {
+    let second = |a: i32, b: i32, c: i32| (i128::from(a) - 2 * i128::from(b) + i128::from(c)).unsigned_abs();
+    let (x, y) = (second(a.0, b.0, c.0), second(a.1, b.1, c.1));
+    let shift = (128 - (x | y).leading_zeros()).saturating_sub(31);
+    let up = |n: u128| (n >> shift) + u128::from(shift > 0);
+    root_above(up(x).pow(2) + up(y).pow(2)) << shift
+}
+
+/// The number of pieces of a curve.
+pub(crate) fn pieces(points: &[Units], shift: u32) -> u128 {
+    let four_d = 4_u128 << shift;
+    let square = match *points {
+        [a, b, c] => bend(a, b, c).div_ceil(four_d),
+        [a, b, c, d] => (3 * bend(a, b, c).max(bend(b, c, d))).div_ceil(four_d),
+        _ => unreachable!("curves have three or four points"),
+    };
+    root_above(square).max(1)
+}
+
+/// The vertices of a curve after the first: the point at each `T(i)`, rounded to nearest, halves upwards.
+pub(crate) fn flattened(points: &[Units], shift: u32) -> Vec<Units> {
+    let n = pieces(points, shift) as i128;
+    let (q, r) = ((1 << 20) / n, (1 << 20) % n);
+    (1..=n).map(|i| point(points, i * q + i.min(r))).collect()
+}
+
+/// `T(i) / 2^20` of a curve of n pieces.
+pub(crate) fn parameter(n: usize, i: usize) -> f64 {
+    let (q, r) = ((1 << 20) / n, (1 << 20) % n);
+    (i * q + i.min(r)) as f64 / f64::from(1 << 20)
+}
+
+/// The point of a curve at `t / 2^20`, by Bernstein's polynomials.
+fn point(points: &[Units], t: i128) -> Units {
+    let s = (1 << 20) - t;
+    let weights = match points.len() {
+        3 => vec![s * s, 2 * s * t, t * t],
+        _ => vec![s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t],
+    };
+    let one = weights.iter().sum::<i128>();
+    let sum = |coordinate: fn(&Units) -> i32| {
+        let sum: i128 = points.iter().zip(&weights).map(|(p, w)| i128::from(coordinate(p)) * w).sum();
+        (2 * sum + one).div_euclid(2 * one) as i32
+    };
+    (sum(|p| p.0), sum(|p| p.1))
+}
+
+/// A point of a curve in `f64`.
+pub(crate) fn true_point(points: &[Units], t: f64) -> (f64, f64) {
+    let mut p: Vec<(f64, f64)> = points.iter().map(|p| (f64::from(p.0), f64::from(p.1))).collect();
+    while p.len() > 1 {
+        p = p.windows(2).map(|w| (w[0].0 + (w[1].0 - w[0].0) * t, w[0].1 + (w[1].1 - w[0].1) * t)).collect();
+    }
+    p[0]
+}
+
+/// How far a place is from the line between two others.
+pub(crate) fn distance(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
+    let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
+    let square = dx * dx + dy * dy;
+    let t = if square == 0.0 { 0.0 } else { ((px * dx + py * dy) / square).clamp(0.0, 1.0) };
+    (px - t * dx).hypot(py - t * dy)
+}
+
+/// A path of a few pieces, with a liking for trouble: points that coincide, moves and closes at odd places.
+pub(crate) fn random_path(rng: &mut Rng, scale: Scale, most: usize) -> Vec<Piece> {
+    let n = 1 + rng.index(most);
+    let places = outline(rng, scale, 3 * n + 1);
+    let mut pieces = if rng.one_in(12) { vec![] } else { vec![Piece::Move(places[0])] };
+    for p in places[1..].chunks(3) {
+        match rng.below(14) {
+            0 => pieces.push(Piece::Move(p[0])),
+            1 => pieces.push(Piece::Close),
+            2 | 3 => pieces.push(Piece::Line(p[0])),
+            4 => pieces.extend([Piece::Line(p[0]), Piece::Cubic(p[0], p[1], p[1])]),
+            5..=8 => pieces.push(Piece::Quadratic(p[0], p[1])),
+            _ => pieces.push(Piece::Cubic(p[0], p[1], p[2])),
+        }
+    }
+    if rng.one_in(3) {
+        pieces.push(Piece::Close);
+    }
+    pieces
+}
+
+/// Some place that a path names.
+pub(crate) fn places(pieces: &[Piece]) -> Vec<Units> {
+    let mut all = vec![];
+    for piece in pieces {
+        match *piece {
+            Piece::Move(a) | Piece::Line(a) => all.push(a),
+            Piece::Quadratic(a, b) => all.extend([a, b]),
+            Piece::Cubic(a, b, c) => all.extend([a, b, c]),
+            Piece::Close => {}
+        }
+    }
+    all
+}
