@@ -9,10 +9,11 @@ use fixed::types::I24F8;
 
 use crate::{
     error::Error,
-    geom::Vertex,
-    raster::{arc, ellipse, line, polygon, rectangle, rounded, triangle, Edge, Ellipse, FillRule, Radii, Sector},
     geom::{Path, PathSegment, Vertex},
-    raster::{line, outline, polygon, rectangle, stroke::Dashing, triangle, Edge, FillRule, Stroke},
+    raster::{
+        arc, ellipse, line, outline, polygon, rectangle, rounded, stroke::Dashing, triangle, Edge, Ellipse, FillRule,
+        Radii, Sector, Stroke,
+    },
     rect::Rect,
     surface::Surface,
 };

@@ -19,12 +19,9 @@ mod target;
 
 pub use canvas::Canvas;
 pub use error::Error;
-pub use geom::{Angle, Vertex};
+pub use geom::{Angle, Path, PathSegment, Vertex, Viewport};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Edge, Ellipse, FillRule, Radii, Sector};
-pub use geom::{Path, PathSegment, Vertex};
-pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Cap, Edge, FillRule, Join, Stroke};
+pub use raster::{Cap, Edge, Ellipse, FillRule, Join, Radii, Sector, Stroke};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

@@ -14,23 +14,19 @@
 pub mod clip;
 pub mod delaunay;
 pub mod exact;
+pub mod flatten;
 pub mod polygon;
 pub mod triangulate;
 
 mod angle;
-mod vertex;
-mod viewport;
-
-pub use angle::Angle;
-pub(crate) use vertex::bits;
-pub use vertex::Vertex;
-pub use viewport::Viewport;
-pub mod flatten;
 mod path;
 mod vertex;
 mod view;
+mod viewport;
 
+pub use angle::Angle;
 pub use path::{Contours, Path, PathSegment};
 pub(crate) use vertex::bits;
 pub use vertex::Vertex;
 pub(crate) use view::View;
+pub use viewport::Viewport;
