@@ -23,6 +23,17 @@ impl Frame {
         self.0.fill(0);
     }
 
+    /// White walls on black.
+    pub(crate) fn load(&mut self, walls: &[bool]) {
+        self.0.iter_mut().zip(walls).for_each(|(pixel, &wall)| *pixel = if wall { 0xffff } else { 0 });
+    }
+
+    /// Whether a pixel lies on the screen and is black.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self, x: i32, y: i32) -> bool {
+        (x as u32) < WIDTH as u32 && (y as u32) < HEIGHT as u32 && self.0[(y * WIDTH + x) as usize] == 0
+    }
+
     /// Paints a pixel if it lies on the screen.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: i32, y: i32) {
@@ -45,7 +56,7 @@ impl Frame {
     }
 
     pub(crate) fn painted(&self) -> Mask {
-        Mask(self.0.iter().map(|&p| p != 0).collect())
+        Mask(self.0.iter().map(|&p| p == INK).collect())
     }
 }
 

@@ -3,12 +3,13 @@
 use std::convert::Infallible;
 
 use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+use embedded_raster::Rect;
 
 use crate::{
     engine::{memory, triangles::given, Engine},
     frame::{Mask, HEIGHT, WIDTH, WINDOW},
     oracle::{polygon_has, sides_on_row, triangle_has, TrueLine},
-    shape::{Job, Line, Polygon, Triangle, Units, ONE, SPRITE},
+    shape::{Job, Line, Oval, Polygon, Pool, Triangle, Units, ONE, SPRITE},
     workload::Mesh,
 };
 
@@ -133,8 +134,60 @@ impl Judge for Polygon {
     }
 
     fn verdict(&self, truth: &Mask, _: &str, painted: &Mask) -> Verdict {
-        let wrong = differences(truth, painted);
-        Verdict { pixels: count(truth), wrong, wrong_as_given: wrong, worst: 0.0 }
+        compared(truth, painted)
+    }
+}
+
+/// What was painted against what should be.
+fn compared(truth: &Mask, painted: &Mask) -> Verdict {
+    let wrong = differences(truth, painted);
+    Verdict { pixels: count(truth), wrong, wrong_as_given: wrong, worst: 0.0 }
+}
+
+impl Judge for Oval {
+    type Truth = Mask;
+
+    /// The centres inside of the curve or on it.
+    fn truth(&self) -> Mask {
+        let Rect { x0, y0, x1, y1 } = self.area;
+        let (a2, b2) = (i128::from(self.area.width()).pow(2), i128::from(self.area.height()).pow(2));
+        let twice = |n: i32, low: i32, high: i32| (2 * i128::from(n) + 1 - i128::from(low) - i128::from(high)).pow(2);
+        let inside = |x: i32, y: i32| twice(x, x0, x1) * b2 + twice(y, y0, y1) * a2 <= a2 * b2;
+        Mask::from_pixels((0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| inside(x, y)))
+    }
+
+    fn pixels(truth: &Mask) -> usize {
+        count(truth)
+    }
+
+    fn verdict(&self, truth: &Mask, _: &str, painted: &Mask) -> Verdict {
+        compared(truth, painted)
+    }
+}
+
+impl Judge for Pool {
+    type Truth = Mask;
+
+    /// Breadth first.
+    fn truth(&self) -> Mask {
+        let mut filled = vec![false; self.walls.len()];
+        let mut queue = std::collections::VecDeque::from([(self.seed.x, self.seed.y)]);
+        while let Some((x, y)) = queue.pop_front() {
+            let place = (y * WIDTH + x) as usize;
+            if WINDOW.contains(x, y) && !self.walls[place] && !filled[place] {
+                filled[place] = true;
+                queue.extend([(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]);
+            }
+        }
+        Mask::from_pixels(filled.into_iter())
+    }
+
+    fn pixels(truth: &Mask) -> usize {
+        count(truth)
+    }
+
+    fn verdict(&self, truth: &Mask, _: &str, painted: &Mask) -> Verdict {
+        compared(truth, painted)
     }
 }
 
@@ -194,8 +247,7 @@ impl Judge for Job {
         if let Self::BitLine(line) = self {
             return line.verdict(&line.truth(), key, painted);
         }
-        let wrong = differences(truth, painted);
-        Verdict { pixels: count(truth), wrong, wrong_as_given: wrong, worst: 0.0 }
+        compared(truth, painted)
     }
 }
 
@@ -247,6 +299,12 @@ mod tests {
         }
         for key in ["walk0", "walk4", "walk8", "fill", "canvas"] {
             assert_eq!(errors(engine::triangles::entries(), &workload::triangles(true), key), 0, "triangles by {key}");
+        }
+        for key in ["fill", "canvas"] {
+            assert_eq!(errors(engine::ellipses::entries(), &workload::ellipses(true), key), 0, "ellipses by {key}");
+        }
+        for key in ["stack", "runs", "canvas64", "canvas4", "canvas1"] {
+            assert_eq!(errors(engine::floods::entries(), &workload::floods(true), key), 0, "floods by {key}");
         }
         assert_eq!(errors(engine::memory::entries(), &workload::memory(true), "canvas"), 0, "blits, text, one bit");
         for key in ["fill", "canvas"] {

@@ -31,7 +31,7 @@ use crate::{
     bench::{Family, Results},
     cost::Counter,
     report::{Covers, Report},
-    shape::{Job, Line, Polygon, Triangle},
+    shape::{Job, Line, Oval, Polygon, Pool, Triangle},
 };
 
 const HELP: &str = "\
@@ -88,6 +88,16 @@ fn polygons(quick: bool) -> Family<Polygon> {
     Family { key: "polygons", title: "Polygons", entries, workloads }
 }
 
+fn ellipses(quick: bool) -> Family<Oval> {
+    let (entries, workloads) = (engine::ellipses::entries(), workload::ellipses(quick));
+    Family { key: "ellipses", title: "Ellipses", entries, workloads }
+}
+
+fn floods(quick: bool) -> Family<Pool> {
+    let (entries, workloads) = (engine::floods::entries(), workload::floods(quick));
+    Family { key: "floods", title: "Flood fills", entries, workloads }
+}
+
 fn memory(quick: bool) -> Family<Job> {
     Family { key: "memory", title: "Memory", entries: engine::memory::entries(), workloads: workload::memory(quick) }
 }
@@ -98,6 +108,8 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("lines") => lines(quick).child(name),
         Some("triangles") => triangles(quick).child(name),
         Some("polygons") => polygons(quick).child(name),
+        Some("ellipses") => ellipses(quick).child(name),
+        Some("floods") => floods(quick).child(name),
         Some("memory") => memory(quick).child(name),
         _ => false,
     };
@@ -128,7 +140,16 @@ fn measure(options: &Options) -> Result<Report> {
     let quick = options.quick;
     let counter = if options.count { Counter::find(quick) } else { None };
     let (lines, triangles, polygons, memory) = (lines(quick), triangles(quick), polygons(quick), memory(quick));
-    let children = [lines.children(), triangles.children(), polygons.children(), memory.children()].concat();
+    let (ellipses, floods) = (ellipses(quick), floods(quick));
+    let children = [
+        lines.children(),
+        triangles.children(),
+        polygons.children(),
+        ellipses.children(),
+        floods.children(),
+        memory.children(),
+    ]
+    .concat();
     let meshes = triangles.entries.len() * workload::meshes(true).len();
     let steps = children.len() * if counter.is_some() { 2 } else { 1 } + meshes;
     let bar = ProgressBar::new(steps as u64);
@@ -139,6 +160,8 @@ fn measure(options: &Options) -> Result<Report> {
         triangles: triangles.run(&counts, quick, &bar),
         covers: covers(quick, &bar),
         polygons: polygons.run(&counts, quick, &bar),
+        ellipses: ellipses.run(&counts, quick, &bar),
+        floods: floods.run(&counts, quick, &bar),
         memory: memory.run(&counts, quick, &bar),
         valgrind: counter.map(|c| c.version),
         quick,
@@ -158,7 +181,7 @@ fn write(report: &Report, folder: &Path, plots: bool) -> Result<()> {
             println!("{}", file.display());
             plot::draw(results, &file)
         };
-        [&report.lines, &report.triangles, &report.polygons].into_iter().try_for_each(plot)?;
+        [&report.lines, &report.triangles, &report.polygons, &report.ellipses].into_iter().try_for_each(plot)?;
     }
     Ok(())
 }

@@ -19,6 +19,8 @@ pub(crate) struct Report {
     pub(crate) triangles: Results,
     pub(crate) covers: Covers,
     pub(crate) polygons: Results,
+    pub(crate) ellipses: Results,
+    pub(crate) floods: Results,
     pub(crate) memory: Results,
     pub(crate) valgrind: Option<String>,
     pub(crate) quick: bool,
@@ -136,7 +138,9 @@ impl Report {
         let mut text = self.header();
         text.push_str(&self.lines_part(plots));
         text.push_str(&self.triangles_part(plots));
-        text.push_str(&self.polygons_part(plots));
+        text.push_str(&compared(&self.polygons, plots));
+        text.push_str(&compared(&self.ellipses, plots));
+        text.push_str(&compared(&self.floods, false));
         text.push_str(&self.memory_part());
         text.push_str(NOTES);
         text
@@ -188,16 +192,6 @@ impl Report {
         )
     }
 
-    fn polygons_part(&self, plots: bool) -> String {
-        format!(
-            "## Polygons\n\n{}Instructions per pixel (time per pixel):\n\n{}\n\
-             Wrong pixels per million:\n\n{}\n",
-            picture(&self.polygons, plots),
-            family(&self.polygons, per_pixel),
-            family(&self.polygons, |c| digits(c.verdict.wrong_per_million())),
-        )
-    }
-
     fn memory_part(&self) -> String {
         format!(
             "## Memory\n\nBlits and text at 16 bits per pixel, shapes at one. Instructions per pixel (time per pixel); of \
@@ -207,6 +201,17 @@ impl Report {
             family(&self.memory, |c| digits(c.verdict.wrong_per_million())),
         )
     }
+}
+
+/// Cost, and wrong pixels.
+fn compared(results: &Results, plots: bool) -> String {
+    format!(
+        "## {}\n\n{}Instructions per pixel (time per pixel):\n\n{}\nWrong pixels per million:\n\n{}\n",
+        results.title,
+        picture(results, plots),
+        family(results, per_pixel),
+        family(results, |c| digits(c.verdict.wrong_per_million())),
+    )
 }
 
 fn picture(results: &Results, plots: bool) -> String {
@@ -234,6 +239,9 @@ corners are the centres of the pixels that contain the true ones, and it paints 
 - Polygons are filled by the even-odd rule, with the same vertices, in 1/256 pixel, for every engine.\n\
 - *100 x off-screen*: corners up to 31,000 pixels away. embedded-graphics would visit every pixel of such a triangle, on the \
 screen or not: it sits them out. It has no polygons.\n\
+- Ellipses are given by boxes of whole pixels. The textbook's midpoint algorithm has two regions and 32-bit products: it \
+breaks where the curve is thin, and where the box is large. embedded-graphics' own rule is another one near the border.\n\
+- A flood fill is charged with loading its picture. The stacks of the textbook are as long as they need to be.\n\
 - To count without the lab: `valgrind --tool=callgrind --toggle-collect='*measured*' target/release/lab --child lines/canvas/1`.\n";
 
 #[cfg(test)]

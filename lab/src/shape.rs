@@ -123,6 +123,37 @@ impl Polygon {
     }
 }
 
+/// An ellipse in a box of pixels.
+#[derive(Clone, Debug)]
+pub(crate) struct Oval {
+    pub(crate) area: Rect,
+    pub(crate) path: Option<Path>,
+}
+
+impl Oval {
+    pub(crate) fn new(area: Rect) -> Self {
+        let path = tiny_skia::Rect::from_ltrb(area.x0 as f32, area.y0 as f32, area.x1 as f32, area.y1 as f32)
+            .and_then(PathBuilder::from_oval);
+        Self { area, path }
+    }
+}
+
+/// A picture of walls, and where a fill starts.
+#[derive(Clone, Debug)]
+pub(crate) struct Pool {
+    pub(crate) walls: Vec<bool>,
+    /// The same, eight to a byte.
+    pub(crate) bits: Vec<u8>,
+    pub(crate) seed: Point,
+}
+
+impl Pool {
+    pub(crate) fn new(walls: Vec<bool>, seed: Point) -> Self {
+        let byte = |walls: &[bool]| walls.iter().fold(0, |byte, &wall| byte << 1 | u8::from(wall));
+        Self { bits: walls.chunks(8).map(byte).collect(), walls, seed }
+    }
+}
+
 /// Columns and rows of the picture of the blits.
 pub(crate) const SPRITE: i32 = 64;
 

@@ -8,7 +8,7 @@ use embedded_raster::Rect;
 use crate::{
     frame::{HEIGHT, WIDTH},
     rng::Rng,
-    shape::{Job, Line, Polygon, Triangle, Units, ONE, SPRITE},
+    shape::{Job, Line, Oval, Polygon, Pool, Triangle, Units, ONE, SPRITE},
 };
 
 /// A list of shapes of one kind. The first `timed` of them are enough to measure cost; error is judged on all.
@@ -208,6 +208,63 @@ fn comb(rng: &mut Rng) -> Polygon {
     }
     outline.push((x, top));
     Polygon::new(outline)
+}
+
+/// Large and small circles, ellipses of all sizes, thin ones, and ones of which the screen sees a part.
+pub(crate) fn ellipses(quick: bool) -> Vec<Workload<Oval>> {
+    let count = judged(200, quick);
+    let sized = |rng: &mut Rng, width: i32, height: i32| {
+        let (x, y) = (rng.int(0, (WIDTH - width).max(0)), rng.int(0, (HEIGHT - height).max(0)));
+        Oval::new(Rect::new(x, y, x + width, y + height))
+    };
+    vec![
+        Workload::new("circles of 101 px", (12, count), false, |rng| sized(rng, 101, 101)),
+        Workload::new("circles of 13 px", (100, count), false, |rng| sized(rng, 13, 13)),
+        Workload::new("any, odd sizes", (40, count), false, |rng| {
+            let (width, height) = (2 * rng.int(1, 130) + 1, 2 * rng.int(1, 100) + 1);
+            sized(rng, width, height)
+        }),
+        Workload::new("3 px thin", (40, count), false, |rng| {
+            let width = 2 * rng.int(20, 150) + 1;
+            sized(rng, width, 3)
+        }),
+        Workload::new("3,001 x 2,001 px", (12, count), true, |rng| {
+            let (x, y) = (rng.int(-3_000, 0), rng.int(-2_000, 0));
+            Oval::new(Rect::new(x, y, x + 3_001, y + 2_001))
+        }),
+    ]
+}
+
+/// Open water, one corridor, and a maze.
+pub(crate) fn floods(quick: bool) -> Vec<Workload<Pool>> {
+    let count = judged(20, quick);
+    let walls = |has: &dyn Fn(i32, i32) -> bool| -> Vec<bool> {
+        (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| has(x, y)).collect()
+    };
+    vec![
+        Workload::new("disc of 31,000 px", (1, count), false, |rng| {
+            let (cx, cy) = (rng.int(110, 200), rng.int(105, 130));
+            Pool::new(walls(&|x, y| (x - cx).pow(2) + (y - cy).pow(2) > 9_900), Point::new(cx, cy))
+        }),
+        // To and fro, with a turn at the end of every other row.
+        Workload::new("one corridor", (1, count), false, |rng| {
+            let gap = rng.int(0, 1);
+            let turn = |y: i32| if (y / 2) % 2 == gap { 0 } else { WIDTH - 1 };
+            Pool::new(walls(&|x, y| y % 2 == 1 && x != turn(y)), Point::new(5, 0))
+        }),
+        Workload::new("random maze", (1, count), false, |rng| {
+            // Cells of two pixels; each has a wall to its right or below it.
+            let open: Vec<bool> = (0..WIDTH * HEIGHT / 4).map(|_| rng.int(0, 1) == 0).collect();
+            let cell = |x: i32, y: i32| open[(y / 2 * (WIDTH / 2) + x / 2) as usize];
+            let wall = |x: i32, y: i32| match (x % 2, y % 2) {
+                (0, 0) => false,
+                (1, 0) => !cell(x, y),
+                (0, 1) => cell(x, y),
+                _ => true,
+            };
+            Pool::new(walls(&wall), Point::new(0, 0))
+        }),
+    ]
 }
 
 /// Memory at 16 bits and at one.

@@ -1,5 +1,7 @@
 //! Engines: ways to draw a list of shapes, each on a screen of its own.
 
+pub(crate) mod ellipses;
+pub(crate) mod floods;
 pub(crate) mod lines;
 pub(crate) mod memory;
 pub(crate) mod peers;
@@ -101,7 +103,7 @@ impl<S, F: FnMut(&mut Framebuffer<'_, Rgb565>, &S)> Engine<S> for Own<F> {
     }
 
     fn painted(&self) -> Mask {
-        Mask::from_pixels(self.memory.chunks_exact(2).map(|bytes| bytes != [0, 0]))
+        Mask::from_pixels(self.memory.chunks_exact(2).map(|bytes| bytes == INK.to_le_bytes()))
     }
 }
 

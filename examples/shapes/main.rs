@@ -1,0 +1,132 @@
+//! Every shape on one page, at any depth, whole or band by band.
+//!
+//! `cargo run --release --example shapes` writes `shapes.png` and shows it in the terminal; `-- --help` tells the rest. What is
+//! drawn stands in `page.rs`, which chips draw too.
+
+mod page;
+
+use std::{error::Error, process::ExitCode};
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_raster::{
+    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, raster::flood::Pending, Edge, Framebuffer, Index1, Index2, Index4,
+    Index8, Palette, PixelFormat,
+};
+use embedded_raster_simulator::Picture;
+use page::{Ink, EDGES, HEIGHT, WIDTH};
+
+const USAGE: &str = "\
+usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS]
+
+--band ROWS  draws in bands of that many rows: the same pixels with less memory, but for what reads the page (flood fills)";
+
+/// Paper and eight colours; 1 and 2 bits have fewer.
+const COLORS: [u32; 9] =
+    [0xf6_f1_e3, 0x1d_33_4a, 0xd1_49_5b, 0xed_ae_49, 0x66_a1_82, 0x2e_6f_95, 0x9b_5d_e5, 0xf1_5b_b5, 0x6b_70_5c];
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("shapes: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let (mut bits, mut band) = (4, None);
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(argument) = parser.next()? {
+        use lexopt::prelude::*;
+        match argument {
+            Long("bits") => bits = parser.value()?.parse()?,
+            Long("band") => band = Some(parser.value()?.parse_with(|rows| rows.parse().map(|n: u16| n.max(1)))?),
+            Long("help") | Short('h') => {
+                println!("{USAGE}");
+                return Ok(());
+            }
+            _ => return Err(argument.unexpected().into()),
+        }
+    }
+    let picture = match bits {
+        1 => indexed::<Index1, 2>(band)?,
+        2 => indexed::<Index2, 4>(band)?,
+        4 => indexed::<Index4, 16>(band)?,
+        8 => indexed::<Index8, 256>(band)?,
+        16 => Picture::of(&Framebuffer::<Rgb565>::new(&mut drawn(band, color::<Rgb565>)?, WIDTH, HEIGHT)?),
+        24 => Picture::of(&Framebuffer::<Rgb888>::new(&mut drawn(band, color::<Rgb888>)?, WIDTH, HEIGHT)?),
+        32 => Picture::of(&Framebuffer::<Xrgb8888>::new(&mut drawn(band, color::<Xrgb8888>)?, WIDTH, HEIGHT)?),
+        _ => return Err(format!("--bits {bits}: there are 1, 2, 4, 8, 16, 24 and 32").into()),
+    };
+    picture.write_png("shapes.png")?;
+    print!("{}", picture.preview(100));
+    println!("shapes.png: {WIDTH} x {HEIGHT} at {bits} bits per pixel, {EDGES} edges of {} bytes", size_of::<Edge>());
+    Ok(())
+}
+
+/// The bytes of the page; drawn in bands, they are put together as a display would.
+fn drawn<C>(band: Option<u16>, ink: impl Fn(Ink) -> C) -> Result<Vec<u8>, embedded_raster::Error>
+where
+    C: PixelFormat<Color = C>,
+{
+    let mut table = [Edge::EMPTY; EDGES];
+    let mut screen = vec![0; buffer_bytes::<C>(WIDTH, HEIGHT)];
+    let Some(rows) = band else {
+        let mut frame = Framebuffer::<C>::new(&mut screen, WIDTH, HEIGHT)?;
+        page::draw(&mut frame, &mut table, &ink)?;
+        page::pour(&mut frame, &mut [Pending::EMPTY; 16], &ink)?;
+        return Ok(screen);
+    };
+    let mut ram = vec![0; buffer_bytes::<C>(WIDTH, rows)];
+    let bytes = row_bytes::<C>(WIDTH) * usize::from(rows);
+    for (start, part) in (0..HEIGHT).step_by(rows.into()).zip(screen.chunks_mut(bytes)) {
+        let end = HEIGHT.min(start.saturating_add(rows));
+        let mut frame = Framebuffer::<C>::band(&mut ram, WIDTH, HEIGHT, start..end)?;
+        page::draw(&mut frame, &mut table, &ink)?;
+        part.copy_from_slice(frame.row_bytes(start..end));
+    }
+    Ok(screen)
+}
+
+/// An index into [`COLORS`], or of the last color that there is.
+fn index<C: PixelFormat<Color = C>>(ink: Ink) -> C {
+    let colors = (1 << C::BITS) - 1;
+    C::unpack(if ink == 0 { 0 } else { (u32::from(ink) - 1) % colors + 1 })
+}
+
+fn color<C: From<Rgb888>>(ink: Ink) -> C {
+    rgb(COLORS[usize::from(ink)]).into()
+}
+
+const fn rgb(bits: u32) -> Rgb888 {
+    let [_, r, g, b] = bits.to_be_bytes();
+    Rgb888::new(r, g, b)
+}
+
+/// At `2^bits` indices, through a palette of so many colours.
+fn indexed<C, const N: usize>(band: Option<u16>) -> Result<Picture, Box<dyn Error>>
+where
+    C: PixelFormat<Color = C> + embedded_graphics::pixelcolor::PixelColor + Into<u8>,
+{
+    let mut memory = drawn(band, index::<C>)?;
+    let colors: [Rgb888; N] = std::array::from_fn(|i| rgb(COLORS.get(i).copied().unwrap_or_default()));
+    Ok(Picture::indexed(&Framebuffer::<C>::new(&mut memory, WIDTH, HEIGHT)?, &Palette::new(colors)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bands of any height show the page, but for what is poured.
+    #[test]
+    fn bands_are_the_whole() {
+        let mut table = [Edge::EMPTY; EDGES];
+        let mut whole = vec![0; buffer_bytes::<Index4>(WIDTH, HEIGHT)];
+        let mut frame = Framebuffer::<Index4>::new(&mut whole, WIDTH, HEIGHT).unwrap();
+        page::draw(&mut frame, &mut table, index::<Index4>).unwrap();
+        for rows in [1, 7, 64, 239, 240] {
+            assert!(drawn(Some(rows), index::<Index4>).unwrap() == whole, "bands of {rows} rows");
+        }
+    }
+}
