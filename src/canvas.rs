@@ -9,6 +9,7 @@ use crate::{
     geom::Vertex,
     raster::{line, polygon, rectangle, triangle, Edge, FillRule},
     rect::Rect,
+    span::ClippedSpan,
     surface::Surface,
 };
 
@@ -69,7 +70,7 @@ pub trait Canvas: Surface {
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
     #[inline]
     fn fill_triangle(&mut self, corners: [Vertex; 3], color: Self::Color) {
-        triangle::fill(corners, self.window(), |span| self.fill_span(span, color));
+        triangle::fill_to(corners, self.window(), &mut Brush { surface: self, color });
     }
 
     /// Fills a polygon of one contour, closed by itself. `table` is scratch memory: see [`polygon::fill`].
@@ -110,3 +111,16 @@ pub trait Canvas: Surface {
 }
 
 impl<S: Surface + ?Sized> Canvas for S {}
+
+/// A surface and the colour that spans are painted with.
+struct Brush<'a, S: Surface + ?Sized> {
+    surface: &'a mut S,
+    color: S::Color,
+}
+
+impl<S: Surface + ?Sized> triangle::Sink for Brush<'_, S> {
+    #[inline(always)]
+    fn emit(&mut self, span: ClippedSpan) {
+        self.surface.fill_span(span, self.color);
+    }
+}
