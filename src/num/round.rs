@@ -27,8 +27,9 @@ pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
         if DIVIDES || !COMPACT {
             return (low / d, low % d);
         }
-        // The same steps, without those that find nothing: no division of the runtime library is linked.
-        while steps > 8 && low >> 24 == 0 {
+        // The steps below, without those that find nothing: no division of the runtime library is linked.
+        while steps > 8 && rest >> 24 == 0 && (rest << 8 | low >> 24) < d.get() {
+            rest = rest << 8 | low >> 24;
             low <<= 8;
             steps -= 8;
         }

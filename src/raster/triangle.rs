@@ -222,22 +222,21 @@ fn fill_by<C: Crossings>(corners: [(i32, i32); 3], window: Rect, sink: &mut impl
 fn fill_compact([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
     let start = |upper, lower, y| Slope::new(upper, lower).map(|side| side.stepper_at(y, i32::MAX));
     let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
-    let turn = first_centre_from(b.1);
+    let turn = first_centre_from(b.1).min(y1);
     let mut y = y0;
     let Some(mut long) = start(a, c, y).filter(|_| y0 < y1) else { return };
-    let mut short = long;
     while y < y1 {
-        if y == y0 || y == turn {
-            let (upper, lower) = if y < turn { (a, b) } else { (b, c) };
-            short = start(upper, lower, y).unwrap_or(short);
+        let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
+        let Some(mut short) = start(upper, lower, y) else { return };
+        while y < end {
+            let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
+            if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
+                sink.emit(span);
+            }
+            long.step();
+            short.step();
+            y = y.wrapping_add(1);
         }
-        let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
-        if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
-            sink.emit(span);
-        }
-        long.step();
-        short.step();
-        y = y.wrapping_add(1);
     }
 }
 
