@@ -15,6 +15,7 @@ use crate::{
         Radii, Sector, Stroke,
     },
     rect::Rect,
+    span::ClippedSpan,
     surface::Surface,
 };
 
@@ -75,7 +76,7 @@ pub trait Canvas: Surface {
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
     #[inline]
     fn fill_triangle(&mut self, corners: [Vertex; 3], color: Self::Color) {
-        triangle::fill(corners, self.window(), |span| self.fill_span(span, color));
+        triangle::fill_to(corners, self.window(), &mut Brush { surface: self, color });
     }
 
     /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
@@ -325,3 +326,16 @@ pub trait Canvas: Surface {
 }
 
 impl<S: Surface + ?Sized> Canvas for S {}
+
+/// A surface and the colour that spans are painted with.
+struct Brush<'a, S: Surface + ?Sized> {
+    surface: &'a mut S,
+    color: S::Color,
+}
+
+impl<S: Surface + ?Sized> triangle::Sink for Brush<'_, S> {
+    #[inline(always)]
+    fn emit(&mut self, span: ClippedSpan) {
+        self.surface.fill_span(span, self.color);
+    }
+}

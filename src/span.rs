@@ -40,6 +40,12 @@ impl Span {
         let (x0, x1) = (self.x0.max(window.x0), self.x1.min(window.x1));
         (x0 < x1).then_some(ClippedSpan { y: self.y, x0, x1 })
     }
+
+    /// [`clip`](Self::clip) for a span that is known to lie in the window if it is not empty.
+    #[inline(always)]
+    pub(crate) fn known_inside(self) -> Option<ClippedSpan> {
+        (self.x0 < self.x1).then_some(ClippedSpan { y: self.y, x0: self.x0, x1: self.x1 })
+    }
 }
 
 /// A [`Span`] that has at least one pixel and lies inside the window that it was clipped against.

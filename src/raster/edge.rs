@@ -21,10 +21,11 @@ use core::num::NonZeroU32;
 use crate::{
     geom::{bits, Vertex},
     num::{
-        cast::{signed, signed_wide, unsigned},
-        round::{difference, first_centre_after, first_centre_from, floor_div_rem, floor_div_rem_wide},
+        cast::{low_u32, magnitude, signed, unsigned},
+        round::{div_rem_wide, first_centre_after, first_centre_from, floor_div_rem},
         stepper::Stepper,
     },
+    target::COMPACT,
 };
 
 /// One slot of an edge table: a side on its way down the rows. See [`polygon::fill`](crate::raster::polygon::fill).
@@ -88,58 +89,75 @@ impl Slope {
     /// Its crossings from `skip` rows below the first row it crosses, for `rows` rows; any size.
     #[inline(always)]
     pub(crate) fn stepper(self, skip: i32, rows: i32) -> Stepper {
+        let g = 128_u32.wrapping_sub(unsigned(self.upper.1)) & 255;
+        self.step_from((unsigned(skip) << 8).wrapping_add(g), rows)
+    }
+
+    /// The same from row y, which it crosses.
+    #[inline(always)]
+    pub(crate) fn stepper_at(self, y: i32, rows: i32) -> Stepper {
+        self.step_from(self.down_to(y), rows)
+    }
+
+    #[inline(always)]
+    fn step_from(self, down: u32, rows: i32) -> Stepper {
         let width = self.lower.0.abs_diff(self.upper.0);
-        if (width | self.dy.get()) < 1 << 16 {
-            self.small(skip, rows)
+        if !COMPACT && (width | self.dy.get()) < 1 << 16 {
+            self.small(down, rows)
         } else {
-            self.large(skip, rows)
+            self.any(down)
         }
     }
 
-    /// The same by a division a row, for sides below 2^19 units (2,048 pixels) in width and height.
+    /// From the upper end down to the centre of row y, which it crosses: below dy.
     #[inline(always)]
-    pub(crate) fn quotients(self, skip: i32) -> Quotients {
-        let (p, m, dx) = self.numerator(skip);
-        // |m| is below 2^11 dy: with 2^12 dy it is a positive number below 2^32.
-        let n = unsigned(m).wrapping_add(self.dy.get() << 12);
-        Quotients { n, dx, dy: self.dy, p: p.wrapping_sub(1 << 12) }
+    fn down_to(self, y: i32) -> u32 {
+        (unsigned(y) << 8).wrapping_add(128).wrapping_sub(unsigned(self.upper.1))
     }
 
     /// (p, M, dx) for sides below 2^19 units.
     #[inline(always)]
-    fn numerator(self, skip: i32) -> (i32, i32, i32) {
-        let (p, f, g) = self.start();
-        let dx = self.lower.0.wrapping_sub(self.upper.0);
-        let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(signed(g).wrapping_mul(dx));
-        (p, (n.wrapping_sub(1) >> 8).wrapping_add(skip.wrapping_mul(dx)), dx)
-    }
-
-    /// (p, f, g): the pixel and fraction of the upper end, and the distance down to the first centre below it.
-    #[inline(always)]
-    fn start(self) -> (i32, u32, u32) {
-        let (ax, ay) = self.upper;
-        (first_centre_after(ax), unsigned(ax.wrapping_add(128)) & 255, 128_u32.wrapping_sub(unsigned(ay)) & 255)
+    fn numerator(self, down: u32) -> (i32, i32, i32) {
+        let ax = self.upper.0;
+        let (p, f) = (first_centre_after(ax), unsigned(ax.wrapping_add(128)) & 255);
+        let dx = self.lower.0.wrapping_sub(ax);
+        let (rows, g) = (signed(down >> 8), signed(down & 255));
+        let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(g.wrapping_mul(dx));
+        (p, (n.wrapping_sub(1) >> 8).wrapping_add(rows.wrapping_mul(dx)), dx)
     }
 
     #[inline(always)]
-    fn small(self, skip: i32, rows: i32) -> Stepper {
-        let (p, m, dx) = self.numerator(skip);
+    fn small(self, down: u32, rows: i32) -> Stepper {
+        let (p, m, dx) = self.numerator(down);
         let (k, rest) = floor_div_rem(m, self.dy);
         let slope = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
         Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
     }
 
-    #[cold]
+    /// Any size, with one product that needs 64 bits: the crossing in units, `x + r / dy`, is found from the end that is
+    /// further left, so that nothing is negative.
+    ///
+    /// With one unit less in x where r = 0, `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, f
+    /// being the remainder of that division and r - 1 being taken modulo dy.
+    #[cfg_attr(not(compact), cold)]
     #[inline(never)]
-    fn large(self, skip: i32, rows: i32) -> Stepper {
-        let (p, f, g) = self.start();
-        let dx = difference(self.lower.0, self.upper.0);
-        let n = signed_wide(u64::from(f) * u64::from(self.dy.get())).wrapping_add(dx.wrapping_mul(i64::from(g)));
-        let m = (n.wrapping_sub(1) >> 8).wrapping_add(dx.wrapping_mul(i64::from(skip)));
-        let (k, rest) = floor_div_rem_wide(m, self.dy);
-        // A second row is a pixel lower: then dy > 256, and the slope fits 32 bits with room to spare.
-        let slope = if rows > 1 && self.dy.get() > 256 { floor_div_rem_wide(dx, self.dy) } else { (0, 0) };
-        Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
+    fn any(self, down: u32) -> Stepper {
+        let (ax, bx, dy) = (self.upper.0, self.lower.0, self.dy.get());
+        let (width, leftward) = (bx.abs_diff(ax), bx < ax);
+        let (left, along) = if leftward { (bx, dy.wrapping_sub(down)) } else { (ax, down) };
+        let (q, r) = div_rem_wide(u64::from(along) * u64::from(width), self.dy);
+        let x = left.wrapping_add(signed(q));
+        let half = if r == 0 { 127 } else { 128 };
+        let k = (x >> 8) + (((x & 255) + half) >> 8);
+        let f = unsigned(x.wrapping_add(half)) & 255;
+        let r = if r == 0 { dy } else { r }.wrapping_sub(1);
+        // (f dy + r) / 256 in parts that fit.
+        let low = f.wrapping_mul(dy & 255).wrapping_add(r & 255) >> 8;
+        let rest = f.wrapping_mul(dy >> 8).wrapping_add(r >> 8).wrapping_add(low);
+        // As in `floor_div_rem`: to the left, the complement of the quotient.
+        let (q, r) = div_rem_wide(u64::from(width.wrapping_sub(leftward.into())), self.dy);
+        let slope = if leftward { (!signed(q), dy.wrapping_sub(1).wrapping_sub(r)) } else { (signed(q), r) };
+        Stepper::new(self.dy, (k, rest), slope)
     }
 }
 
@@ -149,8 +167,8 @@ pub(crate) trait Crossings: Copy {
     const ANY_SIZE: bool;
     /// The same pixel on every row.
     fn constant(x: i32) -> Self;
-    /// From `skip` rows below the first row that the side crosses, for `rows` rows.
-    fn new(side: Slope, skip: i32, rows: i32) -> Self;
+    /// From row y, which the side crosses, for `rows` rows.
+    fn new(side: Slope, y: i32, rows: i32) -> Self;
     /// The first pixel right of the side on this row.
     fn x(self) -> i32;
     /// To the next row.
@@ -166,8 +184,8 @@ impl Crossings for Stepper {
     }
 
     #[inline(always)]
-    fn new(side: Slope, skip: i32, rows: i32) -> Self {
-        side.stepper(skip, rows)
+    fn new(side: Slope, y: i32, rows: i32) -> Self {
+        side.stepper_at(y, rows)
     }
 
     #[inline(always)]
@@ -200,8 +218,11 @@ impl Crossings for Quotients {
     }
 
     #[inline(always)]
-    fn new(side: Slope, skip: i32, _: i32) -> Self {
-        side.quotients(skip)
+    fn new(side: Slope, y: i32, _: i32) -> Self {
+        let (p, m, dx) = side.numerator(side.down_to(y));
+        // |m| is below 2^11 dy: with 2^12 dy it is a positive number below 2^32.
+        let n = unsigned(m).wrapping_add(side.dy.get() << 12);
+        Self { n, dx, dy: side.dy, p: p.wrapping_sub(1 << 12) }
     }
 
     #[inline(always)]
@@ -212,5 +233,82 @@ impl Crossings for Quotients {
     #[inline(always)]
     fn step(&mut self) {
         self.n = self.n.wrapping_add(unsigned(self.dx));
+    }
+}
+
+/// Crossings of small sides in columns `0..1024`, as 10 bits of pixel and 22 of fraction: a step is one addition.
+///
+/// M / dy is a multiple of 1 / dy, so its floor stays right while what is stored is not below it, and above it by less than
+/// 1 / dy.
+#[derive(Copy, Clone, Default)]
+pub(crate) struct Sum {
+    at: u32,
+    by: u32,
+}
+
+impl Sum {
+    /// Columns from 0 on.
+    pub(crate) const COLUMNS: i32 = 1 << (32 - Self::BITS);
+    /// Width and height together of a side that may be called tiny: 54 pixels.
+    pub(crate) const TINY: u32 = 54 * 256;
+    /// Bits of the fraction.
+    const BITS: u32 = 22;
+
+    /// From row y, which the side crosses; less than 2^16 units high.
+    ///
+    /// Start and step are too large by at most `2^-22` each, k rows down by `(k + 1) 2^-22`: less than 1 / dy in the first
+    /// [`reach`](Self::reach) rows.
+    #[inline(always)]
+    pub(crate) fn new(side: Slope, y: i32) -> Self {
+        let (p, m, dx) = side.numerator(side.down_to(y));
+        // |M| is below 2^12 dy, and |dx| too where there is a second row: then dy is above 2^8.
+        let ratio = |n: i32| {
+            let n = unsigned(n).wrapping_add(side.dy.get() << 12);
+            let (q, r) = (n / side.dy, n % side.dy);
+            let (high, rest) = ((r << 16) / side.dy, (r << 16) % side.dy);
+            let low = (rest << (Self::BITS - 16)) / side.dy;
+            (q << Self::BITS | high << (Self::BITS - 16) | low).wrapping_add(1)
+        };
+        Self { at: (unsigned(p) << Self::BITS).wrapping_add(ratio(m)), by: ratio(dx) }
+    }
+
+    /// For how many rows a side of at most this height is right: 64 or more.
+    #[inline(always)]
+    pub(crate) fn reach(height: NonZeroU32) -> i32 {
+        signed(((1 << Self::BITS) - 1) / height)
+    }
+
+    /// The same in tiny triangles, with one division.
+    ///
+    /// With `i = floor((2^32 - 1) / dy)`, M i and its steps dx i are wide of `2^32 M / dy` by at most |M|, M being that of the
+    /// row, and cutting off 10 bits takes up to `2^10` more each time. Half of i is added at the start; so all is well while
+    /// `|M| + 2^10 (k + 1) <= i / 2` in row k. As |M| is at most `dy (256 + |dx|) / 256` and k at most `dy / 256 + 1`, it is
+    /// enough that `dy^2 (1280 + |dx|) <= 2^39 - 2^19.1 dy`. With `|dx| + dy = s` the left side is at most
+    /// `4 (1280 + s)^3 / 27`, below `2^38.9` for s up to [`TINY`](Self::TINY). (Where dy is 1, M is 0 or -1, there is one
+    /// row, and half of i will do.)
+    #[inline(always)]
+    pub(crate) fn tiny(side: Slope, y: i32) -> Self {
+        let Slope { upper, lower, dy } = side;
+        let (ax, dx) = (upper.0.wrapping_add(128), lower.0.wrapping_sub(upper.0));
+        let (p, f) = (ax >> 8, unsigned(ax) & 255);
+        let n = f.wrapping_mul(dy.get()).wrapping_add(side.down_to(y).wrapping_mul(unsigned(dx)));
+        let m = signed(n).wrapping_sub(1) >> 8;
+        let i = (u32::MAX / dy) & (u32::MAX >> 1);
+        let times = |n: i32| i64::from(n).wrapping_mul(i64::from(i));
+        let cut = |n: i64| low_u32(magnitude(n >> (32 - Self::BITS)));
+        let start = i64::from(p) << 32 | i64::from(i >> 1);
+        Self { at: cut(start.wrapping_add(times(m))), by: cut(times(dx)) }
+    }
+
+    /// The first pixel right of the side on this row.
+    #[inline(always)]
+    pub(crate) fn x(self) -> i32 {
+        signed(self.at >> Self::BITS)
+    }
+
+    /// To the next row.
+    #[inline(always)]
+    pub(crate) fn step(&mut self) {
+        self.at = self.at.wrapping_add(self.by);
     }
 }

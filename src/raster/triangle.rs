@@ -9,20 +9,30 @@
 //!     /           \      x1 = first centre at or right of the right edge
 //!    b-------------c     drawn: x0 <= x < x1, the same rounding on both sides
 //! ```
-//! There are two ways to the same pixels. [`fill`] solves each row for its two ends by the quotient and remainder of
+//! There are two ways to the same pixels. [`fill`] solves each row for its two ends, the crossings of
 //! [`Edge`](super::Edge): what flat fills use. [`walk`] steps the three edge functions over the bounding box: what values
 //! that change across the triangle build on.
+//!
+//! The *long* side from the top corner to the bottom one faces two short ones. Which of two sides is the left one need not be
+//! computed. Crossings are rounded the same way on both, and rounding keeps the order: on every row the left one is not
+//! beyond the right one. So of two unequal crossings the lesser is the left side's, on all rows of the triangle; and between
+//! equal ones lies no pixel.
+//!
+//! Crossings are found as the chip and the size ask for: by sums of fixed-point numbers where that is exact (the proof is
+//! there), by a division a row, or by quotient and remainder. Built for size, a firmware has the last way only, in one loop
+//! and one set-up for all sizes.
 //!
 //! Sources: "Rasterization Rules", Direct3D 11 documentation; J. Pineda, "A Parallel Algorithm for Polygon
 //! Rasterization", SIGGRAPH 1988 (edge functions).
 
 use core::{
     cmp::Ordering,
+    hint::black_box,
     num::Wrapping,
     ops::{Add, AddAssign, BitOr},
 };
 
-use super::edge::{Crossings, Quotients, Slope};
+use super::edge::{Crossings, Quotients, Slope, Sum};
 use crate::{
     geom::{bits, Vertex},
     num::{
@@ -50,39 +60,145 @@ use crate::{
 /// ```
 #[inline]
 pub fn fill(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
-    if DIVIDES && !COMPACT {
-        fill_by::<Quotients>(corners, window, emit);
-    } else {
-        fill_by::<Stepper>(corners, window, emit);
+    fill_to(corners, window, &mut { emit });
+}
+
+/// Receives spans. Unlike a closure it can be inlined in two places.
+pub(crate) trait Sink {
+    /// What a closure does when it is called.
+    fn emit(&mut self, span: ClippedSpan);
+}
+
+impl<F: FnMut(ClippedSpan)> Sink for F {
+    #[inline(always)]
+    fn emit(&mut self, span: ClippedSpan) {
+        self(span);
     }
+}
+
+/// [`fill`] into a sink.
+#[inline(always)]
+pub(crate) fn fill_to(corners: [Vertex; 3], window: Rect, sink: &mut impl Sink) {
+    let corners = sorted(corners.map(bits));
+    if COMPACT {
+        fill_compact(corners, window, sink);
+    } else if DIVIDES {
+        fill_by_sums(corners, window, sink);
+    } else {
+        fill_by::<Stepper>(corners, window, sink);
+    }
+}
+
+/// The commonest triangles by additions ([`Sum`]): less than 256 pixels high, and no column of them outside the window.
+#[inline(always)]
+fn fill_by_sums([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
+    let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
+    if y0 >= y1 {
+        return;
+    }
+    let (first, width) = (unsigned(window.x0) << 8, unsigned(window.x1.wrapping_sub(window.x0)) << 8);
+    let is_inside = |x: i32| unsigned(x).wrapping_sub(first) <= width;
+    let in_range = window.x0 >= 0 && window.x0 < window.x1 && window.x1 < Sum::COLUMNS;
+    if !in_range || !is_inside(a.0) || !is_inside(b.0) || !is_inside(c.0) {
+        return fill_apart(a, b, c, window, sink);
+    }
+    let height = unsigned(c.1.wrapping_sub(a.1));
+    let widths = c.0.abs_diff(a.0).wrapping_add(b.0.abs_diff(a.0));
+    let tiny = height.checked_add(widths).is_some_and(|sum| sum < Sum::TINY);
+    let turn = first_centre_from(b.1).min(y1);
+    let (mut long, mut short, mut end);
+    if tiny {
+        long = tiny_side(a, c, y0);
+        (short, end) = if y0 < turn { (tiny_side(a, b, y0), turn) } else { (tiny_side(b, c, y0), y1) };
+    } else if height < 1 << 16 {
+        (long, short, end) = block(a, b, c, y0, y1);
+    } else {
+        return fill_apart(a, b, c, window, sink);
+    }
+    let mut long_is_left = true;
+    let mut y = y0;
+    loop {
+        let (mut left, mut right) = if long_is_left { (long, short) } else { (short, long) };
+        while y < end {
+            let (x0, x1) = (left.x(), right.x());
+            if let Some(span) = (Span { y, x0, x1 }).known_inside() {
+                sink.emit(span);
+            } else if x0 > x1 {
+                // The sides are the other way round, and all rows were empty so far.
+                (left, right) = (right, left);
+                long_is_left = !long_is_left;
+                continue;
+            } else {
+                // A row number that is not simply counted keeps the compiler from counting addresses beside it: there
+                // are not enough registers.
+                y = black_box(y);
+            }
+            left.step();
+            right.step();
+            y = y.wrapping_add(1);
+        }
+        if y >= y1 {
+            return;
+        }
+        if tiny {
+            long = if long_is_left { left } else { right };
+            (short, end) = (tiny_side(b, c, y), y1);
+        } else {
+            (long, short, end) = block(a, b, c, y, y1);
+        }
+    }
+}
+
+/// A side of a tiny triangle from row y on; nothing if it is horizontal, as it crosses no row then.
+#[inline(always)]
+fn tiny_side(upper: (i32, i32), lower: (i32, i32), y: i32) -> Sum {
+    Slope::new(upper, lower).map_or(Sum::default(), |side| Sum::tiny(side, y))
+}
+
+/// The long and the short side from row y on, and the row after the last one before y1 that they are good for.
+#[inline(never)]
+fn block(a: (i32, i32), b: (i32, i32), c: (i32, i32), y: i32, y1: i32) -> (Sum, Sum, i32) {
+    let turn = first_centre_from(b.1);
+    let (upper, lower, end) = if y < turn { (a, b, turn.min(y1)) } else { (b, c, y1) };
+    match (Slope::new(a, c), Slope::new(upper, lower)) {
+        (Some(long), Some(short)) => {
+            (Sum::new(long, y), Sum::new(short, y), end.min(y.saturating_add(Sum::reach(long.dy))))
+        }
+        _ => (Sum::default(), Sum::default(), y1),
+    }
+}
+
+/// [`fill_by`] in a function of its own, with registers of its own.
+#[inline(never)]
+fn fill_apart(a: (i32, i32), b: (i32, i32), c: (i32, i32), window: Rect, sink: &mut impl Sink) {
+    fill_by::<Quotients>([a, b, c], window, sink);
 }
 
 /// Fills in blocks of rows: the two halves above and below the middle corner, or single rows of triangles too large for C.
 ///
 /// All of them go through one loop, so that there is one call of `emit` to be inlined.
 #[inline(always)]
-fn fill_by<C: Crossings>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    let corners @ [a, b, c] = sorted(corners.map(bits));
-    let (top, middle, bottom) = (first_centre_from(a.1), first_centre_from(b.1), first_centre_from(c.1));
+fn fill_by<C: Crossings>(corners: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
+    let [a, b, c] = corners;
+    let (top, bottom) = (first_centre_from(a.1), first_centre_from(c.1));
     let (y0, y1) = (top.max(window.y0), bottom.min(window.y1));
     if y0 >= y1 || window.x0 >= window.x1 {
         return;
     }
-    let turn = middle.max(y0).min(y1);
+    let turn = first_centre_from(b.1).min(y1);
     let Some(long) = Slope::new(a, c) else { return };
     let small = is_small(corners);
     let b_is_left = if small { is_left_small(corners) } else { is_left(corners) };
     let whole = small || C::ANY_SIZE;
-    let mut long_side = if whole { C::new(long, y0.wrapping_sub(top), y1.wrapping_sub(y0)) } else { C::constant(0) };
+    let mut long_side = if whole { C::new(long, y0, y1.wrapping_sub(y0)) } else { C::constant(0) };
     let mut steppers = None;
 
     let mut y = y0;
     while y < y1 {
-        let (upper, lower, first, end) = if y < turn { (a, b, top, turn) } else { (b, c, middle, y1) };
+        let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
         let Some(short) = Slope::new(upper, lower) else { return };
-        let skip = y.wrapping_sub(first);
         let (short_side, end) = if whole {
-            (C::new(short, skip, end.wrapping_sub(y)), end)
+            (C::new(short, y, end.wrapping_sub(y)), end)
         } else {
             let [x, short_x] = one_row(&mut steppers, corners, y);
             long_side = C::constant(x);
@@ -91,13 +207,36 @@ fn fill_by<C: Crossings>(corners: [Vertex; 3], window: Rect, mut emit: impl FnMu
         let (mut left, mut right) = if b_is_left { (short_side, long_side) } else { (long_side, short_side) };
         while y < end {
             if let Some(span) = (Span { y, x0: left.x(), x1: right.x() }).clip_columns(window) {
-                emit(span);
+                sink.emit(span);
             }
             left.step();
             right.step();
             y = y.wrapping_add(1);
         }
         long_side = if b_is_left { right } else { left };
+    }
+}
+
+/// All triangles in little code.
+#[inline(always)]
+fn fill_compact([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
+    let start = |upper, lower, y| Slope::new(upper, lower).map(|side| side.stepper_at(y, i32::MAX));
+    let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
+    let turn = first_centre_from(b.1).min(y1);
+    let mut y = y0;
+    let Some(mut long) = start(a, c, y).filter(|_| y0 < y1) else { return };
+    while y < y1 {
+        let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
+        let Some(mut short) = start(upper, lower, y) else { return };
+        while y < end {
+            let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
+            if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
+                sink.emit(span);
+            }
+            long.step();
+            short.step();
+            y = y.wrapping_add(1);
+        }
     }
 }
 
@@ -108,7 +247,7 @@ fn one_row(steppers: &mut Option<[Stepper; 2]>, [a, b, c]: [(i32, i32); 3], y: i
     let middle = first_centre_from(b.1);
     let short = if y < middle { (a, b) } else { (b, c) };
     let start = |(upper, lower): ((i32, i32), (i32, i32))| match Slope::new(upper, lower) {
-        Some(side) => side.stepper(y.wrapping_sub(first_centre_from(upper.1)), i32::MAX),
+        Some(side) => side.stepper_at(y, i32::MAX),
         None => Stepper::still(0),
     };
     // Both start anew where the short side does.
@@ -262,12 +401,16 @@ mod tests {
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
         let vertices = corners.map(|(x, y)| Vertex::from_bits(x, y));
-        let mut spans = [vec![], vec![], vec![]];
-        fill_by::<Quotients>(vertices, window, |s| spans[0].push((s.y(), s.x0(), s.x1())));
+        let mut spans = [vec![], vec![], vec![], vec![], vec![]];
+        fill_by::<Quotients>(sorted(corners), window, &mut |s: ClippedSpan| spans[0].push((s.y(), s.x0(), s.x1())));
         walk(vertices, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));
-        fill_by::<Stepper>(vertices, window, |s| spans[2].push((s.y(), s.x0(), s.x1())));
-        let [solved, walked, stepped] = spans;
-        assert_eq!(solved, stepped, "the two ways to step along {corners:?}");
+        fill_by::<Stepper>(sorted(corners), window, &mut |s: ClippedSpan| spans[2].push((s.y(), s.x0(), s.x1())));
+        fill_by_sums(sorted(corners), window, &mut |s: ClippedSpan| spans[3].push((s.y(), s.x0(), s.x1())));
+        fill_compact(sorted(corners), window, &mut |s: ClippedSpan| spans[4].push((s.y(), s.x0(), s.x1())));
+        let [solved, walked, stepped, summed, compact] = spans;
+        assert_eq!(solved, stepped, "quotients, steppers: {corners:?}");
+        assert_eq!(solved, summed, "quotients, sums: {corners:?}");
+        assert_eq!(solved, compact, "quotients, little code: {corners:?}");
         [solved, walked]
     }
 
@@ -291,6 +434,34 @@ mod tests {
             let (x, y) = ((random(bits) >> 8).max(-1 << 22), random(bits) >> 8);
             let [solved, walked] = both(corners, Rect::new(x - 20, y - 20, x + 20, y + 20));
             assert_eq!(walked, solved, "{corners:?}");
+        }
+    }
+
+    #[test]
+    fn sums_agree_up_to_their_limits() {
+        let mut state = 7_u64;
+        let mut random = |below: i32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (((state >> 33) * u64::from(below.unsigned_abs())) >> 31) as i32
+        };
+        for i in 0..60_000 {
+            let columns = [320, 1023, 64, 1024][i % 4];
+            let (width, height) = (random(columns * 256) + 1, random([13, 54, 257, 400][i / 4 % 4] * 256) + 1);
+            let (left, top) = (random(columns * 256 - width + 1), random(40 * 256) - 20 * 256);
+            // Two of three corners on corners of the box, or on the lines through them: the longest and steepest sides.
+            let mut corner = |j: i32| {
+                let (x, y) = (random(width + 1), random(height + 1));
+                (
+                    left + if random(3) == 0 { j % 2 * width } else { x },
+                    top + if random(3) == 0 { j / 2 * height } else { y },
+                )
+            };
+            let corners = sorted([corner(0), corner(3), corner(i as i32 % 4)]);
+            let window = Rect::new(0, random(8), columns, 230);
+            let (mut summed, mut stepped) = (vec![], vec![]);
+            fill_by_sums(corners, window, &mut |s: ClippedSpan| summed.push((s.y(), s.x0(), s.x1())));
+            fill_by::<Stepper>(corners, window, &mut |s: ClippedSpan| stepped.push((s.y(), s.x0(), s.x1())));
+            assert_eq!(summed, stepped, "{corners:?} in {window:?}");
         }
     }
 
