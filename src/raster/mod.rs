@@ -18,6 +18,7 @@ pub mod rectangle;
 pub mod triangle;
 
 mod edge;
+mod list;
 
 pub use edge::Edge;
 pub use polygon::FillRule;
