@@ -1,10 +1,4 @@
 //! The page: twenty tiles, each a kind of shape. Integers only and no heap: a chip draws it with this same code.
-#![allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_possible_wrap,
-    clippy::cast_sign_loss,
-    reason = "the numbers of a page are small"
-)]
 
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
@@ -16,7 +10,7 @@ use embedded_raster::{
 };
 use fixed::types::I24F8;
 
-/// Columns of the page.
+/// Columns and rows of the page.
 pub const WIDTH: u16 = 320;
 /// Rows of the page.
 pub const HEIGHT: u16 = 240;
@@ -311,11 +305,11 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let v = Vertex::from_bits;
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
         let pattern = [9, 5, 2, 5].map(|n| I24F8::from_bits(n << 8));
-        let stroke = Stroke::px(3).with_cap(Cap::Round);
+        let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, I24F8::ZERO);
         self.page.stroke_path(Path::new(&wave), &stroke, self.table, self.ink(4))?;
         let [a, b] = self.places([(16, 224), (240, 224)]);
         let pattern = [4, 4].map(|n| I24F8::from_bits(n << 8));
-        self.page.stroke_line([a, b], &Stroke::px(2), self.table, self.ink(1))
+        self.page.stroke_line([a, b], &Stroke::px(2).dashed(&pattern, I24F8::ZERO), self.table, self.ink(1))
     }
 
     /// A ring cut into triangles, which are made as regular as they can be.

@@ -30,6 +30,12 @@ pub(crate) const fn index(n: i32) -> usize {
     n as u32 as usize
 }
 
+/// An index that is known to be below 2^16.
+#[inline(always)]
+pub(crate) const fn index_u16(i: usize) -> u16 {
+    i as u16
+}
+
 /// The same 32 bits, read as a signed number.
 #[inline(always)]
 pub(crate) const fn signed(bits: u32) -> i32 {

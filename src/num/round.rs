@@ -3,7 +3,6 @@
 use core::{cmp::Ordering, num::NonZeroU32};
 
 use super::cast::{low_u32, signed, unsigned};
-use crate::target::{COMPACT, DIVIDES};
 
 /// Quotient rounded down and remainder in `0..d`.
 #[inline(always)]
@@ -22,20 +21,11 @@ pub(crate) fn floor_div_rem(n: i32, d: NonZeroU32) -> (i32, u32) {
 #[inline(never)]
 pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
     let (mut rest, mut low) = (low_u32(n >> 32), low_u32(n));
-    let mut steps = 32;
     if rest == 0 {
-        if DIVIDES || !COMPACT {
-            return (low / d, low % d);
-        }
-        // The steps below, without those that find nothing: no division of the runtime library is linked.
-        while steps > 8 && rest >> 24 == 0 && (rest << 8 | low >> 24) < d.get() {
-            rest = rest << 8 | low >> 24;
-            low <<= 8;
-            steps -= 8;
-        }
+        return (low / d, low % d);
     }
     let d = d.get();
-    for _ in 0..steps {
+    for _ in 0..32 {
         // (rest, low) shifts left by one; the quotient grows in the places that `low` leaves.
         let carry = rest >> 31;
         rest = rest << 1 | low >> 31;

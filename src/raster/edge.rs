@@ -16,32 +16,35 @@
 //! below 2^25 and set-up is two 32-bit divisions; larger edges multiply in 64 bits and divide with
 //! [`div_rem_wide`](crate::num::round::div_rem_wide). An edge that crosses one row only needs no slope.
 
-use core::num::NonZeroU32;
+use core::{cell::Cell, num::NonZeroU32};
 
 use crate::{
     geom::{bits, Vertex},
     num::{
         cast::{low_u32, magnitude, signed, unsigned},
-        round::{div_rem_wide, first_centre_after, first_centre_from, floor_div_rem},
+        round::{div_rem_wide, first_centre_after, floor_div_rem},
         stepper::Stepper,
     },
     target::COMPACT,
 };
 
 /// One slot of an edge table: a side on its way down the rows. See [`polygon::fill`](crate::raster::polygon::fill).
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edge {
     /// `value` is the first pixel right of the edge on the row it stands on.
-    pub(crate) crossing: Stepper,
-    /// The row it stands on.
-    pub(crate) y: i32,
-    /// The row after its last.
-    pub(crate) end: i32,
-    /// +1 when the contour goes down along it, -1 when up.
-    pub(crate) winding: i16,
-    /// While the table is sorted: the next edge of a list, then its place.
-    pub(crate) link: u16,
+    pub(crate) crossing: Cell<Stepper>,
+    /// The first row it crosses, then [`ACTIVE`].
+    pub(crate) y: Cell<i32>,
+    /// Twice the row after its last, and 1 more if the contour goes up along it. Rows of places are below 2^24.
+    end: i32,
+    /// The next edge of a list.
+    pub(crate) link: Cell<u16>,
+    /// Nothing of this edge: the list of the bucket that has this place.
+    pub(crate) bucket: Cell<u16>,
 }
+
+/// The row of all edges that are on their way: they are sorted by their crossings alone.
+pub(crate) const ACTIVE: i32 = i32::MIN;
 
 impl Edge {
     /// An empty slot, to make a table of.
@@ -49,23 +52,61 @@ impl Edge {
     /// use embedded_raster::raster::Edge;
     /// static mut TABLE: [Edge; 64] = [Edge::EMPTY; 64];
     /// ```
-    pub const EMPTY: Self = Self { crossing: Stepper::still(0), y: 0, end: 0, winding: 0, link: 0 };
+    #[expect(clippy::declare_interior_mutable_const, reason = "it is copied into every slot")]
+    pub const EMPTY: Self = Self {
+        crossing: Cell::new(Stepper::still(0)),
+        y: Cell::new(0),
+        end: 0,
+        link: Cell::new(0),
+        bucket: Cell::new(0),
+    };
 
-    /// The rows of `top..bottom` that the side from `a` to `b` crosses.
+    /// Puts the side from `upper` to `lower` into this slot, as it stands on the first of the rows `y..end`, which it
+    /// crosses, `skip` rows below the first of all that it crosses; `down` if its contour goes that way.
     #[inline(always)]
-    pub(crate) fn rows(a: Vertex, b: Vertex, top: i32, bottom: i32) -> (i32, i32) {
-        let (ay, by) = (bits(a).1, bits(b).1);
-        (first_centre_from(ay.min(by)).max(top), first_centre_from(ay.max(by)).min(bottom))
+    pub(crate) fn put(&mut self, upper: Vertex, lower: Vertex, skip: i32, (y, end): (i32, i32), down: bool) {
+        let Some(slope) = Slope::new(bits(upper), bits(lower)) else { return };
+        let (down, rows) = (slope.down(skip), end.wrapping_sub(y));
+        // Two stores: of one, the smaller side's numbers would go by way of the stack.
+        if slope.is_small() {
+            self.crossing.set(slope.small(down, rows));
+        } else {
+            self.crossing.set(slope.any(down));
+        }
+        self.y.set(y);
+        self.end = end.wrapping_mul(2) | i32::from(!down);
     }
 
-    /// The side from `a` to `b` as it stands on the first of the rows `y..end`, which it crosses.
-    #[inline]
-    pub(crate) fn new(a: Vertex, b: Vertex, (y, end): (i32, i32)) -> Self {
-        let (a, b) = (bits(a), bits(b));
-        let (upper, lower, winding) = if a.1 <= b.1 { (a, b, 1) } else { (b, a, -1) };
-        let Some(slope) = Slope::new(upper, lower) else { return Self::EMPTY };
-        let skip = y.wrapping_sub(first_centre_from(upper.1));
-        Self { crossing: slope.stepper(skip, end.wrapping_sub(y)), y, end, winding, link: 0 }
+    /// The first pixel right of it.
+    #[inline(always)]
+    pub(crate) fn x(&self) -> i32 {
+        self.crossing.get().value
+    }
+
+    /// The row after its last.
+    #[inline(always)]
+    pub(crate) fn end(&self) -> i32 {
+        self.end >> 1
+    }
+
+    /// To the next row.
+    #[inline(always)]
+    pub(crate) fn step(&self) {
+        let mut crossing = self.crossing.get();
+        crossing.step();
+        self.crossing.set(crossing);
+    }
+
+    /// What lists are sorted by.
+    #[inline(always)]
+    pub(crate) fn order(&self) -> (i32, i32) {
+        (self.y.get(), self.x())
+    }
+
+    /// +1 when the contour goes down along it, -1 when up.
+    #[inline(always)]
+    pub(crate) fn winding(&self) -> i32 {
+        self.end << 31 >> 31 | 1
     }
 }
 
@@ -86,27 +127,27 @@ impl Slope {
         Some(Self { upper, lower, dy })
     }
 
-    /// Its crossings from `skip` rows below the first row it crosses, for `rows` rows; any size.
-    #[inline(always)]
-    pub(crate) fn stepper(self, skip: i32, rows: i32) -> Stepper {
-        let g = 128_u32.wrapping_sub(unsigned(self.upper.1)) & 255;
-        self.step_from((unsigned(skip) << 8).wrapping_add(g), rows)
-    }
-
-    /// The same from row y, which it crosses.
+    /// Its crossings from row y, which it crosses, for `rows` rows; any size.
     #[inline(always)]
     pub(crate) fn stepper_at(self, y: i32, rows: i32) -> Stepper {
-        self.step_from(self.down_to(y), rows)
-    }
-
-    #[inline(always)]
-    fn step_from(self, down: u32, rows: i32) -> Stepper {
-        let width = self.lower.0.abs_diff(self.upper.0);
-        if !COMPACT && (width | self.dy.get()) < 1 << 16 {
+        let down = self.down_to(y);
+        if self.is_small() {
             self.small(down, rows)
         } else {
             self.any(down)
         }
+    }
+
+    /// Below 2^16 units in width and height.
+    #[inline(always)]
+    fn is_small(self) -> bool {
+        !COMPACT && (self.lower.0.abs_diff(self.upper.0) | self.dy.get()) < 1 << 16
+    }
+
+    /// From the upper end down to a centre `skip` rows below the first row it crosses.
+    #[inline(always)]
+    fn down(self, skip: i32) -> u32 {
+        (unsigned(skip) << 8).wrapping_add(128_u32.wrapping_sub(unsigned(self.upper.1)) & 255)
     }
 
     /// From the upper end down to the centre of row y, which it crosses: below dy.

@@ -25,6 +25,7 @@ pub mod triangle;
 
 mod direction;
 mod edge;
+mod list;
 
 pub use arc::Sector;
 pub use edge::Edge;

@@ -1,28 +1,45 @@
 //! Filled polygons: any number of contours, concave, with holes, crossing themselves.
 //!
-//! The scan-line algorithm: a table of the sides, sorted by their first row; on each row those that cross it are *active*,
+//! The scan-line algorithm: the sides *wait*, sorted by their first row; on each row those that cross it are *active*,
 //! sorted by where; between them the fill rule says what is inside. Crossings move by quotient and remainder
-//! ([`Edge`]), so they are exact on every row.
+//! ([`Edge`]), so they are exact on every row. Both orders are lists through the slots of the table: an edge that joins,
+//! ends or is overtaken is linked anew, and none is ever moved.
 //! ```text
-//!   table   [ active, by crossing | free | waiting, by first row ]
-//!             |  |        |    ^              |
-//!   row  .....[==]........[====]......        +--> joins when its first row comes
+//!   waiting, by first row   e -> e -> e -> e ...          the first one joins when its row comes
+//!   active, by crossing     e ---> e -> e ---> e
+//!                           |      |    |      |
+//!   row                 ....[======]....[======]....
 //! ```
 //! The table is the caller's. When the sides that cross a band of rows are more than it holds, the band is halved and the
 //! fill goes on; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
 //!
-//! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands, sorting, and per row the active sides and their crossings.
+//! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
+//! their first rows are spread evenly; per row the active sides, and `k log k` for k of them that were overtaken.
 //!
 //! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
 
-use core::borrow::Borrow;
+use core::{
+    borrow::Borrow,
+    cell::Cell,
+    hint::black_box,
+    mem::{replace, swap},
+};
 
-use super::Edge;
+use super::{
+    edge::ACTIVE,
+    list::{get, merge, sort, END},
+    Edge,
+};
 use crate::{
     error::Error,
-    geom::Vertex,
+    geom::{bits, Vertex},
+    num::{
+        cast::{index, index_u16, signed, unsigned},
+        round::first_centre_from,
+    },
     rect::Rect,
     span::{ClippedSpan, Span},
+    target::COMPACT,
 };
 
 pub use crate::geom::polygon::FillRule;
@@ -66,7 +83,7 @@ where
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
     let whole = load(contours.clone(), window.y0, window.y1, table);
     if whole.count <= table.len() {
-        scan(table, whole.count, rule, window, &mut emit);
+        scan(table, &whole, rule, window, &mut emit);
         return Ok(());
     }
     // Too many for one pass. First try all the bands, then paint them.
@@ -83,7 +100,7 @@ where
                 continue;
             }
             if paint {
-                scan(table, band.count, rule, window, &mut emit);
+                scan(table, &band, rule, window, &mut emit);
             }
             y = end;
             rows = rows.saturating_mul(2);
@@ -107,24 +124,25 @@ where
     <C::Item as IntoIterator>::Item: Borrow<Vertex>,
 {
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
-    let mut add = |a: Vertex, b: Vertex| {
-        let rows = Edge::rows(a, b, top, bottom);
-        if rows.0 >= rows.1 {
+    let mut add = |(a, ay): (Vertex, i32), (b, by): (Vertex, i32)| {
+        let down = ay < by;
+        let ((upper, first), (lower, end)) = if down { ((a, ay), (b, by)) } else { ((b, by), (a, ay)) };
+        let (y, end) = (first.max(top), end.min(bottom));
+        if y >= end {
             return;
         }
-        loaded.first = loaded.first.min(rows.0);
-        loaded.end = loaded.end.max(rows.1);
+        loaded.first = loaded.first.min(y);
+        loaded.end = loaded.end.max(end);
         if let Some(slot) = table.get_mut(loaded.count) {
-            *slot = Edge::new(a, b, rows);
+            slot.put(upper, lower, y.wrapping_sub(first), (y, end), down);
         }
         loaded.count = loaded.count.wrapping_add(1);
     };
     for contour in contours {
-        let mut vertices = contour.into_iter();
-        let Some(first) = vertices.next().map(|v| *v.borrow()) else { continue };
+        let mut vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
+        let Some(first) = vertices.next() else { continue };
         let mut last = first;
         for vertex in vertices {
-            let vertex = *vertex.borrow();
             add(last, vertex);
             last = vertex;
         }
@@ -133,179 +151,192 @@ where
     loaded
 }
 
-/// Paints the band whose sides are the first `count` of the table.
-fn scan(table: &mut [Edge], count: usize, rule: FillRule, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
-    let Some(table) = table.get_mut(..count) else { return };
-    sort_by_row(table);
-    let (mut active, mut waiting) = (0, 0);
-    let mut y = 0;
+/// The edges whose first row is still to come, in buckets of `2^shift` rows.
+///
+/// Bucket k is a list that starts in slot k of the table, `Edge::bucket`: there are no more buckets than edges. One bucket
+/// at a time is sorted. Where the rows are as many as the edges, there is little left to sort.
+struct Waiting {
+    /// The next edges, sorted.
+    list: u16,
+    /// The first row of the next edge; `i32::MAX` if there is none.
+    row: i32,
+    /// The first bucket after those of the list.
+    bucket: usize,
+}
+
+impl Waiting {
+    fn new(table: &[Edge], loaded: &Loaded) -> Self {
+        let mut waiting = Self { list: END, row: i32::MAX, bucket: 0 };
+        let rows = unsigned(loaded.end.wrapping_sub(loaded.first));
+        // In a small image there is one bucket.
+        let mut shift = if COMPACT { 31 } else { 0 };
+        while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
+            shift = shift.wrapping_add(1);
+            keep_rolled();
+        }
+        for edge in table {
+            edge.bucket.set(END);
+            keep_rolled();
+        }
+        let mut place = 0;
+        for edge in table {
+            let bucket = index(edge.y.get().wrapping_sub(loaded.first)).wrapping_shr(shift);
+            if let Some(slot) = table.get(bucket) {
+                edge.link.set(slot.bucket.replace(place));
+            }
+            place = index_u16(usize::from(place).wrapping_add(1));
+        }
+        waiting.refill(table);
+        waiting
+    }
+
+    /// Sorts the next bucket that is not empty.
+    fn refill(&mut self, table: &[Edge]) {
+        (self.list, self.row) = (END, i32::MAX);
+        while let Some(slot) = table.get(self.bucket) {
+            self.bucket = self.bucket.wrapping_add(1);
+            let list = slot.bucket.get();
+            if let Some(edge) = get(table, list) {
+                self.list = if edge.link.get() == END { list } else { sort(table, list) };
+                self.row = get(table, self.list).map_or(i32::MAX, |edge| edge.y.get());
+                return;
+            }
+            keep_rolled();
+        }
+    }
+
+    /// Cuts off the edges of the next row.
+    fn take(&mut self, table: &[Edge]) -> u16 {
+        let list = self.list;
+        let Some(mut last) = get(table, list) else { return END };
+        loop {
+            last.y.set(ACTIVE);
+            self.list = last.link.get();
+            let Some(edge) = get(table, self.list) else {
+                self.refill(table);
+                return list;
+            };
+            let row = edge.y.get();
+            if row != self.row {
+                self.row = row;
+                last.link.set(END);
+                return list;
+            }
+            last = edge;
+        }
+    }
+}
+
+/// Keeps the loop around it from being unrolled.
+#[inline(always)]
+fn keep_rolled() {
+    black_box(());
+}
+
+/// Paints the band whose sides were loaded.
+///
+/// While only two edges are active, down to where one ends or another joins, a round of the outer loop is many rows: what
+/// two edges of closed contours enclose is inside by either rule, as one goes up and one goes down.
+fn scan(table: &[Edge], loaded: &Loaded, rule: FillRule, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
+    let Some(table) = table.get(..loaded.count) else { return };
+    let mut waiting = Waiting::new(table, loaded);
+    let (mut active, mut y) = (END, waiting.row);
     loop {
-        if active == 0 {
-            match table.get(waiting) {
-                Some(edge) => y = edge.y,
-                None => return,
+        let joining = if waiting.row == y { waiting.take(table) } else { END };
+        active = descend(table, active, joining, y);
+        if active == END {
+            if waiting.row == i32::MAX {
+                return;
             }
-        }
-        // The slot after the active ones is free, or is that of the next waiting edge itself.
-        while let Some(&edge) = table.get(waiting).filter(|edge| edge.y == y) {
-            insert(table, active, edge);
-            active = active.wrapping_add(1);
-            waiting = waiting.wrapping_add(1);
-        }
-        let Some(row) = table.get_mut(..active) else { return };
-        spans(row, y, rule, window, emit);
-        y = y.wrapping_add(1);
-        active = descend(row, y);
-    }
-}
-
-/// Emits what lies between the active edges of one row.
-#[inline(always)]
-fn spans(row: &[Edge], y: i32, rule: FillRule, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
-    let (mut winding, mut x0) = (0_i32, 0);
-    for edge in row {
-        let x = edge.crossing.value;
-        let was_inside = winding & rule.mask() != 0;
-        winding = winding.wrapping_add(i32::from(edge.winding));
-        if !was_inside {
-            x0 = x;
-        } else if winding & rule.mask() == 0 {
-            if let Some(span) = (Span { y, x0, x1: x }).clip_columns(window) {
-                emit(span);
-            }
-        }
-    }
-}
-
-/// Moves the active edges to row `y` and drops those that ended; returns how many are left, in front and in order.
-#[inline(always)]
-fn descend(row: &mut [Edge], y: i32) -> usize {
-    let (mut kept, mut last) = (0, i32::MIN);
-    for i in 0..row.len() {
-        let Some(edge) = row.get_mut(i) else { break };
-        if edge.end == y {
+            y = waiting.row;
             continue;
         }
-        edge.crossing.step();
-        // In its place already, unless one before it ended or was overtaken.
-        if kept == i && edge.crossing.value >= last {
-            last = edge.crossing.value;
-        } else {
-            let edge = *edge;
-            insert(row, kept, edge);
-            last = last.max(edge.crossing.value);
+        let end = if COMPACT { y.wrapping_add(1) } else { last_of_two(table, active, y, waiting.row) };
+        let mut at = usize::from(active);
+        while let Some((mut left, mut right)) = next_pair(table, &mut at, rule) {
+            let mut row = y;
+            loop {
+                if let Some(span) = (Span { y: row, x0: left.x(), x1: right.x() }).clip_columns(window) {
+                    emit(span);
+                }
+                row = row.wrapping_add(1);
+                if row >= end {
+                    break;
+                }
+                left.step();
+                right.step();
+                if left.x() > right.x() {
+                    // They crossed, and change places.
+                    right.link.set(replace(&mut active, left.link.replace(END)));
+                    swap(&mut left, &mut right);
+                }
+            }
         }
-        kept = kept.wrapping_add(1);
+        y = end;
     }
-    kept
 }
 
-/// Puts an edge among the first `count`, which are sorted by their crossings. The slot after them is free. From row to row
-/// the order changes only where edges cross, so there is little to move.
+/// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them.
 #[inline(always)]
-fn insert(table: &mut [Edge], count: usize, edge: Edge) {
-    let mut at = count;
-    while let Some([left, right]) = at.checked_sub(1).and_then(|before| table.get_mut(before..=at)) {
-        if left.crossing.value <= edge.crossing.value {
+fn next_pair<'a>(table: &'a [Edge], at: &mut usize, rule: FillRule) -> Option<(&'a Edge, &'a Edge)> {
+    let left = table.get(*at)?;
+    let (mut right, mut winding) = (left, left.winding());
+    *at = usize::from(left.link.get());
+    while let Some(edge) = table.get(*at) {
+        winding = winding.wrapping_add(edge.winding());
+        right = edge;
+        *at = usize::from(edge.link.get());
+        if winding & rule.mask() == 0 {
             break;
         }
-        *right = *left;
-        at = at.wrapping_sub(1);
     }
-    if let Some(slot) = table.get_mut(at) {
-        *slot = edge;
+    Some((left, right))
+}
+
+/// The row after the last one on which the first two edges of a list are the only ones, from row y on.
+#[inline(always)]
+fn last_of_two(table: &[Edge], list: u16, y: i32, row: i32) -> i32 {
+    let Some(left) = get(table, list) else { return y };
+    match get(table, left.link.get()) {
+        Some(right) if right.link.get() == END => row.min(left.end()).min(right.end()),
+        _ => y.wrapping_add(1),
     }
 }
 
-/// Sorts by the first row, by merging runs: `n log n` at the worst. Outlines come in few runs, as each goes up and down.
-///
-/// The runs are lists through `Edge::link`; when one list is left, every edge learns its place and the table is put in
-/// order. Source: natural merge sort, D. E. Knuth, "The Art of Computer Programming" 3, section 5.2.4.
-fn sort_by_row(table: &mut [Edge]) {
-    /// Runs of 2^k merged runs each: enough for 2^16.
-    const LEVELS: usize = 17;
-    let mut levels = [END; LEVELS];
-    let mut next = 0;
-    while next < table.len() {
-        let mut run;
-        (run, next) = take_run(table, next);
-        for level in &mut levels {
-            if *level == END {
-                *level = run;
-                break;
-            }
-            run = merge(table, core::mem::replace(level, END), run);
+/// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
+#[inline(always)]
+fn descend(table: &[Edge], active: u16, joining: u16, y: i32) -> u16 {
+    let (list, overtaken) = (Cell::new(END), Cell::new(END));
+    let x_of = |place: usize| table.get(place).map_or(i32::MAX, Edge::x);
+    let mut joining = usize::from(joining);
+    let mut limit = x_of(joining);
+    let (mut at, mut end, mut last) = (usize::from(active), &list, i32::MIN);
+    while let Some(edge) = table.get(at) {
+        let (this, next) = (index_u16(at), edge.link.get());
+        at = usize::from(next);
+        if edge.end() <= y {
+            continue;
         }
+        edge.step();
+        let x = edge.x();
+        if x < last {
+            edge.link.set(overtaken.replace(this));
+            continue;
+        }
+        last = x;
+        while x > limit {
+            end.set(index_u16(joining));
+            let Some(first) = table.get(joining) else { break };
+            end = &first.link;
+            joining = usize::from(end.get());
+            limit = x_of(joining);
+        }
+        end.set(this);
+        end = &edge.link;
     }
-    let list = levels.into_iter().fold(END, |list, level| merge(table, level, list));
-    put_in_order(table, list);
-}
-
-/// No edge.
-const END: u16 = u16::MAX;
-
-/// Links the edges from `first` on that go down, or that go up, into a list; returns it and the edge after it.
-fn take_run(table: &mut [Edge], first: usize) -> (u16, usize) {
-    let place = |i: usize| u16::try_from(i).unwrap_or(END);
-    let row = |table: &[Edge], i: usize| table.get(i).map(|edge| edge.y);
-    let link = |table: &mut [Edge], from: usize, to: u16| {
-        if let Some(edge) = table.get_mut(from) {
-            edge.link = to;
-        }
-    };
-    let mut i = first.wrapping_add(1);
-    if row(table, i) >= row(table, first) {
-        while i < table.len() && row(table, i) >= row(table, i.wrapping_sub(1)) {
-            link(table, i.wrapping_sub(1), place(i));
-            i = i.wrapping_add(1);
-        }
-        link(table, i.wrapping_sub(1), END);
-        (place(first), i)
-    } else {
-        link(table, first, END);
-        while i < table.len() && row(table, i) < row(table, i.wrapping_sub(1)) {
-            link(table, i, place(i.wrapping_sub(1)));
-            i = i.wrapping_add(1);
-        }
-        (place(i.wrapping_sub(1)), i)
+    end.set(index_u16(joining));
+    if overtaken.get() == END {
+        return list.get();
     }
-}
-
-/// Merges two lists.
-fn merge(table: &mut [Edge], mut a: u16, mut b: u16) -> u16 {
-    let get = |table: &[Edge], i: u16| table.get(usize::from(i)).map(|edge| (edge.y, edge.link));
-    let (mut head, mut tail) = (END, END);
-    loop {
-        let (next, rest) = match (get(table, a), get(table, b)) {
-            (Some((y, link)), Some((other, _))) if y <= other => (a, (link, b)),
-            (_, Some((_, link))) => (b, (a, link)),
-            // The rest of a list is linked as it is.
-            (_, None) => (a, (END, END)),
-        };
-        match table.get_mut(usize::from(tail)) {
-            Some(edge) => edge.link = next,
-            None => head = next,
-        }
-        if get(table, a).is_none() || get(table, b).is_none() {
-            return head;
-        }
-        tail = next;
-        (a, b) = rest;
-    }
-}
-
-/// Moves every edge to its place in the list.
-fn put_in_order(table: &mut [Edge], list: u16) {
-    let (mut at, mut place) = (list, 0_u16);
-    while let Some(edge) = table.get_mut(usize::from(at)) {
-        (at, edge.link) = (edge.link, place);
-        place = place.wrapping_add(1);
-    }
-    for i in 0..table.len() {
-        // Each exchange brings one edge home.
-        while let Some(home) = table.get(i).map(|edge| usize::from(edge.link)).filter(|&home| home != i) {
-            let Ok([here, there]) = table.get_disjoint_mut([i, home]) else { break };
-            core::mem::swap(here, there);
-        }
-    }
+    merge(table, list.get(), sort(table, overtaken.get()))
 }
