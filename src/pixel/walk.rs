@@ -11,13 +11,13 @@ use core::num::NonZeroU32;
 use bytemuck::{pod_align_to_mut, Pod};
 
 use super::{
-    packed,
+    bytes_per_pixel, packed,
     word::{self, keep_rolled},
     PixelFormat,
 };
 use crate::{
     num::{
-        cast::{low_u16, low_u8},
+        cast::{low_u16, low_u8, offset},
         round::fraction,
     },
     span::Steps,
@@ -34,6 +34,17 @@ pub(crate) fn draw<F: PixelFormat>(
     steps: Steps,
     bits: u32,
 ) {
+    if COMPACT {
+        let (pixel, row) = if F::BITS < 8 { (1, 8 / F::BITS as usize) } else { (bytes_per_pixel::<F>(), 1) };
+        let at = start.0.wrapping_mul(row).wrapping_add(start.1.wrapping_mul(pixel));
+        return count(steps, at, pixel, stride.wrapping_mul(row), |at| {
+            if F::BITS < 8 {
+                packed::set::<F>(memory, 0, at, bits);
+            } else {
+                word::set::<F>(memory, at, bits);
+            }
+        });
+    }
     match F::BITS {
         8 => draw_pixels::<1>(memory, stride, start, end, steps, [low_u8(bits)]),
         16 => draw_pixels::<2>(memory, stride, start, end, steps, low_u16(bits).to_le_bytes()),
@@ -72,9 +83,10 @@ fn draw_pixels<const N: usize>(
     let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(memory);
     let (first, last) = ((start_row / N).wrapping_add(start_x), (end_row / N).wrapping_add(end_x));
     let pitch = stride / N;
-    let Steps { right, len, steep, minor, major, rest, .. } = steps;
+    let Steps { left, steep, minor, major, rest, .. } = steps;
+    let right = steps.goes_right();
     // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
-    let glides = DIVIDES && !COMPACT && steep && len > 16 && major < 1 << 16 && minor != 0 && minor != major;
+    let glides = DIVIDES && steep && left > 15 && major < 1 << 16 && minor != 0 && minor != major;
     if let Some(major) = NonZeroU32::new(major).filter(|_| glides) {
         let Some(pixels) = pixels.get_mut(..=last) else { return };
         let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));
@@ -146,10 +158,15 @@ fn glide<P: Copy>(pixels: &mut [P], at: usize, base: usize, part: u32, step: u32
 /// Any memory, with a counter: positions are `x_unit` apart in a row and `y_unit` from row to row.
 #[inline(always)]
 fn count(mut steps: Steps, mut at: usize, x_unit: usize, y_unit: usize, mut set: impl FnMut(usize)) {
-    let aside = if steps.right { x_unit } else { x_unit.wrapping_neg() };
+    let aside = offset(steps.x_step).wrapping_mul(x_unit);
     let (major, minor) = if steps.steep { (y_unit, aside) } else { (aside, y_unit) };
-    for _ in 0..steps.len {
+    let mut left = steps.left;
+    loop {
         set(at);
+        if left == 0 {
+            break;
+        }
+        left = left.wrapping_sub(1);
         at = at.wrapping_add(major);
         if steps.next_is_minor() {
             at = at.wrapping_add(minor);

@@ -14,6 +14,8 @@
 //!
 //! Source: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4(1), 1965.
 
+mod search;
+
 use core::num::NonZeroU32;
 
 use embedded_graphics_core::geometry::Point;
@@ -25,6 +27,7 @@ use crate::{
     },
     rect::Rect,
     span::Steps,
+    target::COMPACT,
 };
 
 /// The visible part of the line from `a` to `b`, both ends included; `None` when no pixel of it lies in `window`.
@@ -41,7 +44,9 @@ use crate::{
 /// ```
 #[inline]
 pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
-    if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
+    if COMPACT {
+        search::clip(&[a.x, a.y], &[b.x, b.y], &[window.x0, window.y0, window.x1, window.y1])
+    } else if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
         Some(whole(a, b))
     } else {
         clip_far(a, b, window)
@@ -55,12 +60,12 @@ fn whole(a: Point, b: Point) -> Steps {
     let steep = dy > dx;
     let (da, db) = if steep { (dy, dx) } else { (dx, dy) };
     let (h, down) = (da >> 1, a.y <= b.y);
-    let ((first, last), rest) = if down { ((a, b), h) } else { ((b, a), da.wrapping_sub(1).wrapping_sub(h)) };
+    let (first, rest) = if down { (a, h) } else { (b, da.wrapping_sub(1).wrapping_sub(h)) };
     Steps {
         first: (first.x, first.y),
-        last: (last.x, last.y),
-        len: da.wrapping_add(1),
-        right: first.x <= last.x,
+        left: da,
+        sideways: db,
+        x_step: if (a.x <= b.x) == down { 1 } else { -1 },
         steep,
         rest: rest.wrapping_sub(da),
         minor: db,
@@ -105,20 +110,26 @@ fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
         None => (0, 0),
     };
     let ((minor_first, rest_first), (minor_last, rest_last)) = (state(first), state(last));
-    let place = |major: u32, minor: u32| {
-        let (along_x, along_y) = if steep { (minor, major) } else { (major, minor) };
-        (offset(a.x, right, along_x), offset(a.y, down, along_y))
-    };
-    let (start, end) = (place(first, minor_first), place(last, minor_last));
-    let len = last.wrapping_sub(first).wrapping_add(1);
+    let left = last.wrapping_sub(first);
+    let sideways = minor_last.wrapping_sub(minor_first);
     // Upwards, the same pixels from their other end. The step back over step k is taken where r < db, which is where the
     // complement da - 1 - r carries.
-    let (first, last, right, rest) = if down {
-        (start, end, right, rest_first)
+    let (major, minor, right_down, rest) = if down {
+        (first, minor_first, right, rest_first)
     } else {
-        (end, start, !right, da.wrapping_sub(1).wrapping_sub(rest_last))
+        (last, minor_last, !right, da.wrapping_sub(1).wrapping_sub(rest_last))
     };
-    Some(Steps { first, last, len, right, steep, rest: rest.wrapping_sub(da), minor: db, major: da })
+    let (along_x, along_y) = if steep { (minor, major) } else { (major, minor) };
+    Some(Steps {
+        first: (offset(a.x, right, along_x), offset(a.y, down, along_y)),
+        left,
+        sideways,
+        x_step: if right_down { 1 } else { -1 },
+        steep,
+        rest: rest.wrapping_sub(da),
+        minor: db,
+        major: da,
+    })
 }
 
 /// How far from `from` the positions `low..high` begin and end, walking up or down: `None` if they lie behind.

@@ -11,6 +11,7 @@ use crate::{
     pixel::{self, row_bytes, PixelFormat},
     rect::Rect,
     span::{ClippedSpan, Steps},
+    target::COMPACT,
 };
 
 /// Rows of pixels in memory that the caller owns: a whole screen, a band of one, or a view of a part.
@@ -262,7 +263,7 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: F::Color) {
-        if let Some(span) = steps.one_row() {
+        if let Some(span) = steps.one_row().filter(|_| !COMPACT) {
             return self.fill_span(span, color);
         }
         let place = |(x, y)| (self.row_start(y), self.x(x));
