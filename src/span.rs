@@ -141,8 +141,11 @@ impl Steps {
     /// The visible pixels as a span, if they lie in one row.
     #[inline(always)]
     pub(crate) fn one_row(&self) -> Option<ClippedSpan> {
-        let ((x0, y), (x1, last_y)) = (self.first, self.last());
-        (y == last_y).then(|| ClippedSpan { y, x0: x0.min(x1), x1: x0.max(x1).wrapping_add(1) })
+        if self.steep && self.left > 0 || self.sideways > 0 {
+            return None;
+        }
+        let ((x0, y), (x1, _)) = (self.first, self.last());
+        Some(ClippedSpan { y, x0: x0.min(x1), x1: x0.max(x1).wrapping_add(1) })
     }
 
     /// Decides the step to the next pixel: does it move along the minor axis too?

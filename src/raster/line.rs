@@ -22,7 +22,7 @@ use embedded_graphics_core::geometry::Point;
 
 use crate::{
     num::{
-        cast::{low_u32, magnitude, signed},
+        cast::{low_u32, magnitude, signed, unsigned},
         round::{ceil_ratio, difference, div_rem_wide},
     },
     rect::Rect,
@@ -56,20 +56,21 @@ pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
 /// A line that lies in the window as it is.
 #[inline(always)]
 fn whole(a: Point, b: Point) -> Steps {
-    let (dx, dy) = (a.x.abs_diff(b.x), a.y.abs_diff(b.y));
+    let up = a.y > b.y;
+    let (top, bottom) = if up { (b, a) } else { (a, b) };
+    let (dx, dy) = (top.x.abs_diff(bottom.x), unsigned(bottom.y.wrapping_sub(top.y)));
     let steep = dy > dx;
-    let (da, db) = if steep { (dy, dx) } else { (dx, dy) };
-    let (h, down) = (da >> 1, a.y <= b.y);
-    let (first, rest) = if down { (a, h) } else { (b, da.wrapping_sub(1).wrapping_sub(h)) };
+    let (major, minor) = if steep { (dy, dx) } else { (dx, dy) };
     Steps {
-        first: (first.x, first.y),
-        left: da,
-        sideways: db,
-        x_step: if (a.x <= b.x) == down { 1 } else { -1 },
+        first: (top.x, top.y),
+        left: major,
+        sideways: minor,
+        x_step: if top.x <= bottom.x { 1 } else { -1 },
         steep,
-        rest: rest.wrapping_sub(da),
-        minor: db,
-        major: da,
+        // r - da, where r is h, or its complement da - 1 - h if the line was drawn upwards.
+        rest: !(major.wrapping_sub(u32::from(!up)) >> 1),
+        minor,
+        major,
     }
 }
 

@@ -266,8 +266,8 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
         if let Some(span) = steps.one_row().filter(|_| !COMPACT) {
             return self.fill_span(span, color);
         }
-        let place = |(x, y)| (self.row_start(y), self.x(x));
-        let (start, end) = (place(steps.first()), place(steps.last()));
-        pixel::walk::draw::<F>(self.memory, self.stride, start, end, steps, F::pack(color));
+        let (x, y) = steps.first();
+        let start = (index(y.wrapping_add(self.row)), self.x(x));
+        pixel::walk::draw::<F>(self.memory, self.stride, start, steps, F::pack(color));
     }
 }
