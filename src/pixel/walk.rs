@@ -165,6 +165,7 @@ fn count(mut steps: Steps, (row, x): (usize, usize), pixel: usize, pitch: usize,
         at = at.wrapping_add(major);
         if steps.next_is_minor() {
             at = at.wrapping_add(minor);
+            keep_rolled();
         }
     }
 }

@@ -1,26 +1,30 @@
 //! The same clipping for small images: additions and halvings only, nothing of the runtime library.
 //!
-//! The line is followed from its top to the last pixel before it leaves the window, and from its bottom likewise. What
-//! both walks passed is visible; if they do not meet, nothing is.
+//! Two walks: from the top of the line until it would leave the window for good, and from its bottom likewise. What both
+//! passed is visible; if they do not meet, nothing is.
 //!
-//! Neither goes pixel by pixel. A jump by `n` steps makes `n db = m da + q` minor steps, `0 <= q < da`. The first jump is
-//! the whole line: `n = da`, `m = db`, `q = 0`. It is taken as often as there is room, then halved: of an odd `n` one step
-//! is taken off before, and of an odd `m` the half goes to `q`. There is no room for a third: two jumps and a miss a
-//! halving, 96 tries at most.
+//! Neither walk goes pixel by pixel. A jump by `n` steps makes `n db = m da + q` minor steps, `0 <= q < da`. The first is
+//! the whole line: `n = da`, `m = db`, `q = 0`. A jump is made as often as there is room, then halved: of an odd `n` one
+//! step is taken off before, and of an odd `m` the half goes to `q`. After a miss there is room for less than `n` steps,
+//! so for at most two halves, and a walk takes 96 tries or fewer.
+//!
+//! The functions are small and are not inlined: on the smallest cores registers, not instructions, are what is short.
+
+use core::ptr;
 
 use crate::{
     num::cast::{signed, unsigned},
     span::Steps,
 };
 
-/// See [`clip`](super::clip).
+/// See [`clip`](super::clip). The window is not empty.
 #[inline(never)]
 pub(super) fn clip(a: &[i32; 2], b: &[i32; 2], window: &[i32; 4]) -> Option<Steps> {
+    let [x0, y0, x1, y1] = *window;
     let up = a[1] > b[1];
     let (top, bottom) = if up { (b, a) } else { (a, b) };
-    let [x0, y0, x1, y1] = window;
-    let mut x = Axis::new(&top[0], &bottom[0], (x0, x1));
-    let mut y = Axis::new(&top[1], &bottom[1], (y0, y1));
+    let mut x = Axis::new(top[0], bottom[0], x0, x1);
+    let mut y = Axis::new(top[1], bottom[1], y0, y1);
     let y_place = &raw const y;
     let (along, aside) = order(&mut x, &mut y);
     if along.start > along.end || aside.start > aside.end {
@@ -28,8 +32,9 @@ pub(super) fn clip(a: &[i32; 2], b: &[i32; 2], window: &[i32; 4]) -> Option<Step
     }
     follow(along, aside, u32::from(!up));
     let rest = follow(along, aside, u32::from(up));
-    let (left, sideways) = (along.seen()?, aside.span.wrapping_sub(aside.room).wrapping_sub(aside.other_room));
-    let (major, minor, steep) = (along.length, aside.length, core::ptr::eq(along, y_place));
+    let left = along.seen()?;
+    let sideways = aside.span.wrapping_sub(aside.room).wrapping_sub(aside.other_room);
+    let (major, minor, steep) = (along.length, aside.length, ptr::eq(along, y_place));
     Some(Steps {
         left,
         sideways,
@@ -37,7 +42,7 @@ pub(super) fn clip(a: &[i32; 2], b: &[i32; 2], window: &[i32; 4]) -> Option<Step
         major,
         // Turned round, the step back over a step is taken where r < db, which is where da - 1 - r carries.
         rest: !rest.wrapping_add(major),
-        first: (x.first(), y.first()),
+        first: (x.first() ^ x.turned, y.first()),
         x_step: x.turned | 1,
         steep,
     })
@@ -53,12 +58,14 @@ fn order<'a>(x: &'a mut Axis, y: &'a mut Axis) -> (&'a mut Axis, &'a mut Axis) {
     }
 }
 
-/// Walks as far as there is room. Returns r - da.
+/// Walks as far as there is room; the next walk is the one back. Returns r - da at its end.
+///
+/// `forth` is 1 in the direction in which the line was drawn, against it 0.
 #[inline(never)]
 fn follow(along: &mut Axis, aside: &mut Axis, forth: u32) -> u32 {
     let (major, minor) = (along.length, aside.length);
     let (mut room, mut room_aside) = (along.room, aside.room);
-    // -ceil(da / 2); from the end of the line, where r starts at da - 1 - h, it is -1 - h.
+    // r - da where r is h, or from the other end its complement, da - 1 - h.
     let mut rest = !(major.wrapping_sub(forth) >> 1);
     let (mut by, mut by_aside, mut by_rest) = (major, minor, 0);
     while by != 0 {
@@ -108,8 +115,7 @@ struct Axis {
 
 impl Axis {
     #[inline(never)]
-    fn new(from: &i32, to: &i32, (low, high): (&i32, &i32)) -> Self {
-        let (from, to, low, high) = (*from, *to, *low, *high);
+    fn new(from: i32, to: i32, low: i32, high: i32) -> Self {
         let turned = if to < from { -1 } else { 0 };
         let last = high.wrapping_sub(1);
         let exchange = (low ^ last) & turned ^ turned;
@@ -134,7 +140,7 @@ impl Axis {
         self.other_room = room;
     }
 
-    /// Steps between the ends of both walks.
+    /// Steps between the ends of both walks, if they met.
     #[inline(always)]
     fn seen(&self) -> Option<u32> {
         self.span.checked_sub(self.room)?.checked_sub(self.other_room)
@@ -143,6 +149,6 @@ impl Axis {
     /// Where the walk back ended.
     #[inline(always)]
     fn first(&self) -> i32 {
-        self.start.wrapping_add(signed(self.other_room)) ^ self.turned
+        self.start.wrapping_add(signed(self.other_room))
     }
 }
