@@ -4,7 +4,7 @@
 //! down goes up in it. Cut off after the last pixel, the end of the slice is the end of the line: the one comparison
 //! that guards the memory is the loop's condition too, and nothing is counted. (Only flat lines to the left run back
 //! within each row; but all rows before the last lie before the last pixel, so they are walked the same way, and the
-//! last row is a run.)
+//! last row is a run.) Everywhere else, and in images built for size, the pixels are counted.
 
 use core::num::NonZeroU32;
 
