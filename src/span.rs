@@ -4,7 +4,10 @@
 //! against the window of a surface it becomes a [`ClippedSpan`], whose fields cannot be set from outside: whoever holds
 //! one need not check again. [`Steps`] are the same for a line one pixel wide.
 
-use crate::{num::cast::unsigned, rect::Rect};
+use crate::{
+    num::cast::{signed, unsigned},
+    rect::Rect,
+};
 
 /// Pixels `x0..x1` of row `y`, anywhere. Empty when `x0 >= x1`.
 /// ```
@@ -91,9 +94,12 @@ impl ClippedSpan {
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Steps {
     pub(crate) first: (i32, i32),
-    pub(crate) last: (i32, i32),
-    pub(crate) len: u32,
-    pub(crate) right: bool,
+    /// Visible steps along the major axis: pixels after the first.
+    pub(crate) left: u32,
+    /// Visible steps along the minor axis.
+    pub(crate) sideways: u32,
+    /// 1 to the right, -1 to the left.
+    pub(crate) x_step: i32,
     pub(crate) steep: bool,
     /// Bresenham's decision: `r - da`, where `r < da` is the remainder of the minor steps made so far.
     pub(crate) rest: u32,
@@ -113,14 +119,17 @@ impl Steps {
     /// Column and row of the last visible pixel, which is not above the first.
     #[inline(always)]
     pub const fn last(&self) -> (i32, i32) {
-        self.last
+        let (along, aside) = (self.left, self.sideways);
+        let (dx, dy) = if self.steep { (aside, along) } else { (along, aside) };
+        let dx = signed(dx).wrapping_mul(self.x_step);
+        (self.first.0.wrapping_add(dx), self.first.1.wrapping_add(signed(dy)))
     }
 
     /// Number of visible pixels, at least 1.
     #[inline(always)]
     #[expect(clippy::len_without_is_empty, reason = "it is never empty")]
     pub const fn len(&self) -> u32 {
-        self.len
+        self.left.wrapping_add(1)
     }
 
     /// Whether `y` is the major axis: every pixel has a row of its own.
@@ -132,14 +141,17 @@ impl Steps {
     /// Whether steps along x go to the right.
     #[inline(always)]
     pub const fn goes_right(&self) -> bool {
-        self.right
+        self.x_step > 0
     }
 
     /// The visible pixels as a span, if they lie in one row.
     #[inline(always)]
     pub(crate) fn one_row(&self) -> Option<ClippedSpan> {
-        let ((x0, y), (x1, last_y)) = (self.first, self.last);
-        (y == last_y).then(|| ClippedSpan { y, x0: x0.min(x1), x1: x0.max(x1).wrapping_add(1) })
+        if self.steep && self.left > 0 || self.sideways > 0 {
+            return None;
+        }
+        let ((x0, y), (x1, _)) = (self.first, self.last());
+        Some(ClippedSpan { y, x0: x0.min(x1), x1: x0.max(x1).wrapping_add(1) })
     }
 
     /// Decides the step to the next pixel: does it move along the minor axis too?
@@ -152,16 +164,15 @@ impl Steps {
 
     /// Emits the pixels as spans, top row first: one pixel a row for a steep line, runs for a flat one.
     pub fn spans(mut self, mut emit: impl FnMut(ClippedSpan)) {
-        let aside = if self.right { 1 } else { -1 };
         let (mut x, mut y) = self.first;
         let mut start = x;
-        for left in (0..self.len).rev() {
+        for left in (0..=self.left).rev() {
             let minor = self.next_is_minor();
             if left == 0 || minor || self.steep {
                 emit(ClippedSpan { y, x0: start.min(x), x1: start.max(x).wrapping_add(1) });
             }
             if !self.steep || minor {
-                x = x.wrapping_add(aside);
+                x = x.wrapping_add(self.x_step);
             }
             if self.steep || minor {
                 (y, start) = (y.wrapping_add(1), x);

@@ -129,6 +129,20 @@ fn every_line_of_a_small_grid_in_every_window() {
     }
 }
 
+/// An empty window shows nothing, even where its end less one is the largest number.
+#[test]
+fn windows_without_pixels() {
+    const ENDS: [i32; 5] = [i32::MIN, i32::MIN + 1, 0, i32::MAX - 1, i32::MAX];
+    for (low, high) in ENDS.iter().flat_map(|&low| ENDS.map(|high| (low, high))).filter(|(low, high)| low >= high) {
+        for (from, to) in ENDS.iter().flat_map(|&from| ENDS.map(|to| (from, to))) {
+            for (a, b) in [((from, -3), (to, 4)), ((-3, from), (4, to)), ((from, from), (to, to))] {
+                check([a, b], Rect::new(low, -9, high, 9));
+                check([a, b], Rect::new(-9, low, 9, high));
+            }
+        }
+    }
+}
+
 /// The worked case of the conventions, decisions included.
 #[test]
 fn the_worked_case() {

@@ -68,8 +68,9 @@ pub fn pour<F: PixelFormat>(
     ink: impl Fn(Ink) -> F::Color,
 ) -> Result<(), Error> {
     let (x, y) = (4 * TILE.0, 3 * TILE.1);
-    page.flood_fill(Point::new(x + 4, y + 4), Reach::Sides, ink(6), table);
-    page.flood_fill(Point::new(x + 55, y + 30), Reach::Corners, ink(4), table);
+    page.flood_fill(Point::new(x + 32, y + 4), Reach::Sides, ink(4), table);
+    // The pixels of an outline are connected by their corners.
+    page.flood_fill(Point::new(x + 32, y + 2), Reach::Corners, ink(1), table);
     let arrow = Bitmap::<Index1>::new(&[0x08, 0x0c, 0xfe, 0xff, 0xfe, 0x0c, 0x08], 8, 7)?;
     page.blit_mask(Point::new(x + 26, y + 27), &arrow, ink(2), None);
     Ok(())
@@ -329,8 +330,10 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
 
     /// Walls between which colour is poured.
     fn maze(&mut self) {
-        for i in 0..6 {
-            let (inset, color) = (4 * i, self.ink(7));
+        let color = self.ink(7);
+        self.page.draw_ellipse(self.area(2, 2, 62, 58), color);
+        for i in 1..6 {
+            let inset = 4 * i;
             let area = self.area(2 + inset, 2 + inset, 62 - inset, 58 - inset);
             let gap = Sector::new(Angle::degrees(60 * i + 25), Angle::degrees(60 * i - 5));
             self.page.draw_arc(area, gap, color);

@@ -36,6 +36,12 @@ pub(crate) const fn index_u16(i: usize) -> u16 {
     i as u16
 }
 
+/// A signed number to add to an index.
+#[inline(always)]
+pub(crate) const fn offset(n: i32) -> usize {
+    n as isize as usize
+}
+
 /// The same 32 bits, read as a signed number.
 #[inline(always)]
 pub(crate) const fn signed(bits: u32) -> i32 {

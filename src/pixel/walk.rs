@@ -4,100 +4,106 @@
 //! down goes up in it. Cut off after the last pixel, the end of the slice is the end of the line: the one comparison
 //! that guards the memory is the loop's condition too, and nothing is counted. (Only flat lines to the left run back
 //! within each row; but all rows before the last lie before the last pixel, so they are walked the same way, and the
-//! last row is a run.)
+//! last row is a run.) Everywhere else, and in images built for size, the pixels are counted.
 
 use core::num::NonZeroU32;
 
 use bytemuck::{pod_align_to_mut, Pod};
 
 use super::{
-    packed,
+    bytes_per_pixel, packed,
     word::{self, keep_rolled},
     PixelFormat,
 };
 use crate::{
     num::{
-        cast::{low_u16, low_u8},
+        cast::{low_u16, low_u8, offset},
         round::fraction,
     },
     span::Steps,
     target::{COMPACT, DIVIDES},
 };
 
-/// Writes `bits` along `steps`, from byte and pixel `start` to byte and pixel `end`, both in rows `stride` bytes apart.
+/// Writes `bits` along `steps`, from a row and a pixel of it, in rows `stride` bytes apart.
 #[inline(always)]
-pub(crate) fn draw<F: PixelFormat>(
-    memory: &mut [u8],
-    stride: usize,
-    start: (usize, usize),
-    end: (usize, usize),
-    steps: Steps,
-    bits: u32,
-) {
+pub(crate) fn draw<F: PixelFormat>(memory: &mut [u8], stride: usize, start: (usize, usize), steps: Steps, bits: u32) {
     match F::BITS {
-        8 => draw_pixels::<1>(memory, stride, start, end, steps, [low_u8(bits)]),
-        16 => draw_pixels::<2>(memory, stride, start, end, steps, low_u16(bits).to_le_bytes()),
-        24 => draw_pixels::<3>(memory, stride, start, end, steps, word::three(bits)),
-        32 => draw_pixels::<4>(memory, stride, start, end, steps, bits.to_le_bytes()),
+        8 if !COMPACT => draw_pixels::<1>(memory, stride, start, steps, [low_u8(bits)]),
+        16 if !COMPACT => draw_pixels::<2>(memory, stride, start, steps, low_u16(bits).to_le_bytes()),
+        24 if !COMPACT => draw_pixels::<3>(memory, stride, start, steps, word::three(bits)),
+        32 if !COMPACT => draw_pixels::<4>(memory, stride, start, steps, bits.to_le_bytes()),
+        8.. => count(steps, start, bytes_per_pixel::<F>(), stride, |at| word::set::<F>(memory, at, bits)),
         _ => {
             // Pixels are counted through the whole memory: rows start on a byte.
-            let per_byte = (8 / F::BITS) as usize;
-            let first = start.0.wrapping_mul(per_byte).wrapping_add(start.1);
-            count(steps, first, 1, stride.wrapping_mul(per_byte), |i| packed::set::<F>(memory, 0, i, bits));
+            let pitch = stride.wrapping_mul((8 / F::BITS) as usize);
+            count(steps, start, 1, pitch, |at| packed::set::<F>(memory, 0, at, bits));
         }
     }
 }
 
 #[inline(always)]
-fn draw_pixels<const N: usize>(
-    memory: &mut [u8],
-    stride: usize,
-    (start_row, start_x): (usize, usize),
-    (end_row, end_x): (usize, usize),
-    steps: Steps,
-    pixel: [u8; N],
-) where
+fn draw_pixels<const N: usize>(memory: &mut [u8], stride: usize, (row, x): (usize, usize), steps: Steps, pixel: [u8; N])
+where
     [u8; N]: Pod,
 {
     // In rows of a single pixel a step down and aside would be no step at all.
     if !stride.is_multiple_of(N) || stride <= N {
-        let first = start_row.wrapping_add(start_x.wrapping_mul(N));
         let set = |at: usize| {
             if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
                 *place = pixel;
             }
         };
-        return count(steps, first, N, stride, set);
+        return count(steps, (row, x), N, stride, set);
     }
     let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(memory);
-    let (first, last) = ((start_row / N).wrapping_add(start_x), (end_row / N).wrapping_add(end_x));
     let pitch = stride / N;
-    let Steps { right, len, steep, minor, major, rest, .. } = steps;
-    // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
-    let glides = DIVIDES && !COMPACT && steep && len > 16 && major < 1 << 16 && minor != 0 && minor != major;
-    if let Some(major) = NonZeroU32::new(major).filter(|_| glides) {
-        let Some(pixels) = pixels.get_mut(..=last) else { return };
-        let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));
-        let (base, part, step) =
-            if right { (pitch, part, step) } else { (pitch.wrapping_sub(1), !part, step.wrapping_neg()) };
-        return glide(pixels, first, base, part, step, pixel);
+    let first = row.wrapping_mul(pitch).wrapping_add(x);
+    if steps.steep {
+        down(pixels, first, pitch, steps, pixel);
+    } else {
+        across(pixels, first, pitch, steps, pixel);
     }
-    let one = if right { 1 } else { usize::MAX };
+}
+
+/// A line of which every pixel has a row of its own.
+#[inline(always)]
+fn down<P: Copy>(pixels: &mut [P], first: usize, pitch: usize, steps: Steps, pixel: P) {
+    let Steps { x_step, left, sideways, minor, major, rest, .. } = steps;
+    let (left, sideways, one) = (left as usize, sideways as usize, offset(x_step));
+    let last = first.wrapping_add(left.wrapping_mul(pitch)).wrapping_add(sideways.wrapping_mul(one));
+    let Some(pixels) = pixels.get_mut(..last.wrapping_add(1)) else { return };
+    // On a chip that divides in software the two divisions cost more than they save on any but the longest lines.
+    if DIVIDES && left > 15 {
+        if let Some(major) = NonZeroU32::new(major).filter(|&n| n.get() < 1 << 16 && minor != 0 && minor != n.get()) {
+            let (part, step) = (fraction(rest.wrapping_add(major.get()), major), fraction(minor, major));
+            let (base, part, step) =
+                if x_step > 0 { (pitch, part, step) } else { (pitch.wrapping_sub(1), !part, step.wrapping_neg()) };
+            return glide(pixels, first, base, part, step, pixel);
+        }
+    }
+    walk(pixels, first, (pitch, one), (rest, minor, major), pixel);
+}
+
+/// A line with runs of pixels in a row.
+#[inline(always)]
+fn across<P: Copy>(pixels: &mut [P], first: usize, pitch: usize, steps: Steps, pixel: P) {
+    let Steps { x_step, left, sideways, minor, major, rest, .. } = steps;
+    let (left, sideways, one) = (left as usize, sideways as usize, offset(x_step));
+    let last = first.wrapping_add(left.wrapping_mul(one)).wrapping_add(sideways.wrapping_mul(pitch));
     // The commoner step is the unconditional one. In the complement, the steps without a move aside are those that carry.
-    let (by, decision) = if steep {
-        ((pitch, one), (rest, minor, major))
-    } else if minor <= major >> 1 {
+    let (by, decision) = if minor <= major >> 1 {
         ((one, pitch), (rest, minor, major))
     } else {
         let complement = (!rest.wrapping_add(major), major.wrapping_sub(minor), major);
         ((pitch.wrapping_add(one), pitch.wrapping_neg()), complement)
     };
-    let runs_back = !steep && !right;
-    let end = if runs_back { last } else { last.wrapping_add(1) };
-    let Some((before, from_end)) = pixels.split_at_mut_checked(end) else { return };
-    let at = walk(before, first, by, decision, pixel);
-    if runs_back {
-        for place in from_end.get_mut(..=at.wrapping_sub(last)).unwrap_or_default() {
+    if x_step > 0 {
+        let Some(pixels) = pixels.get_mut(..last.wrapping_add(1)) else { return };
+        walk(pixels, first, by, decision, pixel);
+    } else {
+        let Some((before, from_last)) = pixels.split_at_mut_checked(last) else { return };
+        let at = walk(before, first, by, decision, pixel);
+        for place in from_last.get_mut(..=at.wrapping_sub(last)).unwrap_or_default() {
             *place = pixel;
         }
     }
@@ -143,16 +149,23 @@ fn glide<P: Copy>(pixels: &mut [P], at: usize, base: usize, part: u32, step: u32
     }
 }
 
-/// Any memory, with a counter: positions are `x_unit` apart in a row and `y_unit` from row to row.
+/// Any memory, with a counter: positions are `pixel` apart in a row and `pitch` from row to row.
 #[inline(always)]
-fn count(mut steps: Steps, mut at: usize, x_unit: usize, y_unit: usize, mut set: impl FnMut(usize)) {
-    let aside = if steps.right { x_unit } else { x_unit.wrapping_neg() };
-    let (major, minor) = if steps.steep { (y_unit, aside) } else { (aside, y_unit) };
-    for _ in 0..steps.len {
+fn count(mut steps: Steps, (row, x): (usize, usize), pixel: usize, pitch: usize, mut set: impl FnMut(usize)) {
+    let mut at = row.wrapping_mul(pitch).wrapping_add(x.wrapping_mul(pixel));
+    let aside = offset(steps.x_step).wrapping_mul(pixel);
+    let (major, minor) = if steps.steep { (pitch, aside) } else { (aside, pitch) };
+    let mut left = steps.left;
+    loop {
         set(at);
+        if left == 0 {
+            break;
+        }
+        left = left.wrapping_sub(1);
         at = at.wrapping_add(major);
         if steps.next_is_minor() {
             at = at.wrapping_add(minor);
+            keep_rolled();
         }
     }
 }

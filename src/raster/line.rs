@@ -10,9 +10,12 @@
 //! remainder of `(k db + h) / da` is the decision to go on from. No end is ever moved, so the visible pixels are those of
 //! the whole line.
 //!
-//! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`.
+//! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`; a line that lies in the window
+//! takes none. Images built for size use `search`, which needs neither divisions nor products.
 //!
 //! Source: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4(1), 1965.
+
+mod search;
 
 use core::num::NonZeroU32;
 
@@ -20,11 +23,12 @@ use embedded_graphics_core::geometry::Point;
 
 use crate::{
     num::{
-        cast::{low_u32, magnitude, signed},
+        cast::{low_u32, magnitude, signed, unsigned},
         round::{ceil_ratio, difference, div_rem_wide},
     },
     rect::Rect,
     span::Steps,
+    target::COMPACT,
 };
 
 /// The visible part of the line from `a` to `b`, both ends included; `None` when no pixel of it lies in `window`.
@@ -41,7 +45,13 @@ use crate::{
 /// ```
 #[inline]
 pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
-    if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
+    if COMPACT {
+        // Asked here, where the window may be known.
+        if window.is_empty() {
+            return None;
+        }
+        search::clip(&[a.x, a.y], &[b.x, b.y], &[window.x0, window.y0, window.x1, window.y1])
+    } else if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
         Some(whole(a, b))
     } else {
         clip_far(a, b, window)
@@ -51,20 +61,21 @@ pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
 /// A line that lies in the window as it is.
 #[inline(always)]
 fn whole(a: Point, b: Point) -> Steps {
-    let (dx, dy) = (a.x.abs_diff(b.x), a.y.abs_diff(b.y));
+    let up = a.y > b.y;
+    let (top, bottom) = if up { (b, a) } else { (a, b) };
+    let (dx, dy) = (top.x.abs_diff(bottom.x), unsigned(bottom.y.wrapping_sub(top.y)));
     let steep = dy > dx;
-    let (da, db) = if steep { (dy, dx) } else { (dx, dy) };
-    let (h, down) = (da >> 1, a.y <= b.y);
-    let ((first, last), rest) = if down { ((a, b), h) } else { ((b, a), da.wrapping_sub(1).wrapping_sub(h)) };
+    let (major, minor) = if steep { (dy, dx) } else { (dx, dy) };
     Steps {
-        first: (first.x, first.y),
-        last: (last.x, last.y),
-        len: da.wrapping_add(1),
-        right: first.x <= last.x,
+        first: (top.x, top.y),
+        left: major,
+        sideways: minor,
+        x_step: if top.x <= bottom.x { 1 } else { -1 },
         steep,
-        rest: rest.wrapping_sub(da),
-        minor: db,
-        major: da,
+        // r - da, where r is h, or its complement da - 1 - h if the line was drawn upwards.
+        rest: !(major.wrapping_sub(u32::from(!up)) >> 1),
+        minor,
+        major,
     }
 }
 
@@ -105,20 +116,26 @@ fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
         None => (0, 0),
     };
     let ((minor_first, rest_first), (minor_last, rest_last)) = (state(first), state(last));
-    let place = |major: u32, minor: u32| {
-        let (along_x, along_y) = if steep { (minor, major) } else { (major, minor) };
-        (offset(a.x, right, along_x), offset(a.y, down, along_y))
-    };
-    let (start, end) = (place(first, minor_first), place(last, minor_last));
-    let len = last.wrapping_sub(first).wrapping_add(1);
+    let left = last.wrapping_sub(first);
+    let sideways = minor_last.wrapping_sub(minor_first);
     // Upwards, the same pixels from their other end. The step back over step k is taken where r < db, which is where the
     // complement da - 1 - r carries.
-    let (first, last, right, rest) = if down {
-        (start, end, right, rest_first)
+    let (major, minor, right_down, rest) = if down {
+        (first, minor_first, right, rest_first)
     } else {
-        (end, start, !right, da.wrapping_sub(1).wrapping_sub(rest_last))
+        (last, minor_last, !right, da.wrapping_sub(1).wrapping_sub(rest_last))
     };
-    Some(Steps { first, last, len, right, steep, rest: rest.wrapping_sub(da), minor: db, major: da })
+    let (along_x, along_y) = if steep { (minor, major) } else { (major, minor) };
+    Some(Steps {
+        first: (offset(a.x, right, along_x), offset(a.y, down, along_y)),
+        left,
+        sideways,
+        x_step: if right_down { 1 } else { -1 },
+        steep,
+        rest: rest.wrapping_sub(da),
+        minor: db,
+        major: da,
+    })
 }
 
 /// How far from `from` the positions `low..high` begin and end, walking up or down: `None` if they lie behind.

@@ -11,6 +11,7 @@ use crate::{
     pixel::{self, row_bytes, scan, PixelFormat},
     rect::Rect,
     span::{ClippedSpan, Steps},
+    target::COMPACT,
 };
 
 /// Rows of pixels in memory that the caller owns: a whole screen, a band of one, or a view of a part.
@@ -290,11 +291,11 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: F::Color) {
-        if let Some(span) = steps.one_row() {
+        if let Some(span) = steps.one_row().filter(|_| !COMPACT) {
             return self.fill_span(span, color);
         }
-        let place = |(x, y)| (self.row_start(y), self.x(x));
-        let (start, end) = (place(steps.first()), place(steps.last()));
-        pixel::walk::draw::<F>(self.memory, self.stride, start, end, steps, F::pack(color));
+        let (x, y) = steps.first();
+        let start = (index(y.wrapping_add(self.row)), self.x(x));
+        pixel::walk::draw::<F>(self.memory, self.stride, start, steps, F::pack(color));
     }
 }

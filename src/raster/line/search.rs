@@ -1,0 +1,154 @@
+//! The same clipping for small images: additions and halvings only, nothing of the runtime library.
+//!
+//! Two walks: from the top of the line until it would leave the window for good, and from its bottom likewise. What both
+//! passed is visible; if they do not meet, nothing is.
+//!
+//! Neither walk goes pixel by pixel. A jump by `n` steps makes `n db = m da + q` minor steps, `0 <= q < da`. The first is
+//! the whole line: `n = da`, `m = db`, `q = 0`. A jump is made as often as there is room, then halved: of an odd `n` one
+//! step is taken off before, and of an odd `m` the half goes to `q`. After a miss there is room for less than `n` steps,
+//! so for at most two halves, and a walk takes 96 tries or fewer.
+//!
+//! The functions are small and are not inlined: on the smallest cores registers, not instructions, are what is short.
+
+use core::ptr;
+
+use crate::{
+    num::cast::{signed, unsigned},
+    span::Steps,
+};
+
+/// See [`clip`](super::clip). The window is not empty.
+#[inline(never)]
+pub(super) fn clip(a: &[i32; 2], b: &[i32; 2], window: &[i32; 4]) -> Option<Steps> {
+    let [x0, y0, x1, y1] = *window;
+    let up = a[1] > b[1];
+    let (top, bottom) = if up { (b, a) } else { (a, b) };
+    let mut x = Axis::new(top[0], bottom[0], x0, x1);
+    let mut y = Axis::new(top[1], bottom[1], y0, y1);
+    let y_place = &raw const y;
+    let (along, aside) = order(&mut x, &mut y);
+    if along.start > along.end || aside.start > aside.end {
+        return None;
+    }
+    follow(along, aside, u32::from(!up));
+    let rest = follow(along, aside, u32::from(up));
+    let left = along.seen()?;
+    let sideways = aside.span.wrapping_sub(aside.room).wrapping_sub(aside.other_room);
+    let (major, minor, steep) = (along.length, aside.length, ptr::eq(along, y_place));
+    Some(Steps {
+        left,
+        sideways,
+        minor,
+        major,
+        // Turned round, the step back over a step is taken where r < db, which is where da - 1 - r carries.
+        rest: !rest.wrapping_add(major),
+        first: (x.first() ^ x.turned, y.first()),
+        x_step: x.turned | 1,
+        steep,
+    })
+}
+
+/// The major axis first. A call, or all that follows would be there twice.
+#[inline(never)]
+fn order<'a>(x: &'a mut Axis, y: &'a mut Axis) -> (&'a mut Axis, &'a mut Axis) {
+    if y.length > x.length {
+        (y, x)
+    } else {
+        (x, y)
+    }
+}
+
+/// Walks as far as there is room; the next walk is the one back. Returns r - da at its end.
+///
+/// `forth` is 1 in the direction in which the line was drawn, against it 0.
+#[inline(never)]
+fn follow(along: &mut Axis, aside: &mut Axis, forth: u32) -> u32 {
+    let (major, minor) = (along.length, aside.length);
+    let (mut room, mut room_aside) = (along.room, aside.room);
+    // r - da where r is h, or from the other end its complement, da - 1 - h.
+    let mut rest = !(major.wrapping_sub(forth) >> 1);
+    let (mut by, mut by_aside, mut by_rest) = (major, minor, 0);
+    while by != 0 {
+        let (sum, carry) = rest.overflowing_add(by_rest);
+        let jump_aside = by_aside.wrapping_add(u32::from(carry));
+        if by <= room && jump_aside <= room_aside {
+            room = room.wrapping_sub(by);
+            room_aside = room_aside.wrapping_sub(jump_aside);
+            rest = if carry { sum.wrapping_sub(major) } else { sum };
+            continue;
+        }
+        if by & 1 != 0 {
+            let (difference, borrow) = by_rest.overflowing_sub(minor);
+            by_rest = difference;
+            if borrow {
+                by_rest = by_rest.wrapping_add(major);
+                by_aside = by_aside.wrapping_sub(1);
+            }
+        }
+        // (q + da) / 2 where the sum is even, without its carry.
+        by_rest = by_rest.wrapping_add(1) >> 1;
+        if by_aside & 1 != 0 {
+            by_rest = by_rest.wrapping_add(major >> 1);
+        }
+        by >>= 1;
+        by_aside >>= 1;
+    }
+    along.turn(room);
+    aside.turn(room_aside);
+    rest
+}
+
+/// Columns or rows, turned so that the line counts up: all bits of a coordinate change if it does not.
+struct Axis {
+    turned: i32,
+    length: u32,
+    /// The first and the last position in the window, on the line.
+    start: i32,
+    end: i32,
+    /// Steps between them.
+    span: u32,
+    /// Steps that can still be made without leaving the window.
+    room: u32,
+    /// The same for the walk back.
+    other_room: u32,
+}
+
+impl Axis {
+    #[inline(never)]
+    fn new(from: i32, to: i32, low: i32, high: i32) -> Self {
+        let turned = if to < from { -1 } else { 0 };
+        let last = high.wrapping_sub(1);
+        let exchange = (low ^ last) & turned ^ turned;
+        let (from, to, low, last) = (from ^ turned, to ^ turned, low ^ exchange, last ^ exchange);
+        let (start, end) = (low.max(from), last.min(to));
+        let steps = |from: i32, to: i32| unsigned(to.wrapping_sub(from));
+        Self {
+            turned,
+            length: steps(from, to),
+            start,
+            end,
+            span: steps(start, end),
+            room: steps(from, end),
+            other_room: steps(start, to),
+        }
+    }
+
+    /// Ends a walk, which has left `room` unused.
+    #[inline(always)]
+    fn turn(&mut self, room: u32) {
+        self.room = self.other_room;
+        self.other_room = room;
+    }
+
+    /// Steps between the ends of both walks, if they met.
+    #[inline(always)]
+    fn seen(&self) -> Option<u32> {
+        self.span.checked_sub(self.room)?.checked_sub(self.other_room)
+    }
+
+    /// Where the walk back ended.
+    #[inline(always)]
+    fn first(&self) -> i32 {
+        self.start.wrapping_add(signed(self.other_room))
+    }
+}
