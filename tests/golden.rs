@@ -15,6 +15,10 @@ use embedded_graphics::{
 };
 use embedded_raster::{
     buffer_bytes,
+    geom::{
+        delaunay,
+        triangulate::{self, Node},
+    },
     pixel::{Xrgb8888, EGA},
     surface::{paged_bytes, Bitmap, Paged},
     Canvas, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Rect, Surface, Vertex,
@@ -204,6 +208,32 @@ fn blits<C: Ink>(frame: &mut Framebuffer<'_, C>) {
     frame.move_area_keyed(Rect::new(0, 0, 40, 27), Point::new(49, 36), C::ega(GREY));
 }
 
+/// A leaf with a hole and an island in it that touches, on the left as its ears were cut, on the right refined.
+fn triangulation<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let leaf =
+        [(4, 2), (12, 8), (24, 3), (34, 9), (45, 6), (42, 22), (45, 36), (38, 61), (26, 52), (3, 60), (9, 40), (2, 26)];
+    let hole = [(10, 14), (32, 14), (36, 34), (26, 46), (14, 40), (17, 28)];
+    let island = [(17, 28), (24, 20), (29, 30), (22, 38)];
+    let all = [&leaf[..], &hole, &island].concat();
+    let vertices: Vec<_> = all.iter().map(|&(x, y)| Vertex::px(x, y)).collect();
+    let (mut nodes, mut triangles) = ([Node::EMPTY; 26], [[0; 3]; 24]);
+    let count = triangulate::list(&vertices, &[12, 18], &mut nodes, &mut triangles).expect("enough nodes");
+    let triangles = &mut triangles[..count];
+    for right in [0, 48] {
+        if right > 0 {
+            delaunay::refine(&vertices, triangles, &mut [[0; 3]; 24]).expect("a slot for each");
+        }
+        let place = |i: u16| (all[usize::from(i)].0 + right, all[usize::from(i)].1);
+        for (corners, color) in triangles.iter().zip([GREEN, YELLOW, RED, GREY].into_iter().cycle()) {
+            surface.fill_triangle(corners.map(place).map(|(x, y)| Vertex::px(x, y)), C::ega(color));
+        }
+        for [a, b, c] in triangles.iter().map(|corners| corners.map(place).map(Point::from)) {
+            surface.draw_polyline([a, b, c, a], C::ega(GROUND));
+        }
+    }
+}
+
 /// Draws every scene in framebuffers of the colour type and compares.
 fn check<C: Ink>(depth: &str) {
     let mut ram = vec![0; buffer_bytes::<C>(WIDTH, HEIGHT)];
@@ -259,6 +289,15 @@ fn twenty_four_bits() {
 #[test]
 fn thirty_two_bits() {
     check::<Xrgb8888>("32");
+}
+
+/// Geometry knows no depths: one is enough.
+#[test]
+fn triangles_of_a_polygon() {
+    let mut ram = vec![0; buffer_bytes::<Index4>(WIDTH, HEIGHT)];
+    let mut frame = Framebuffer::<Index4>::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
+    triangulation(&mut frame);
+    assert_eq!(compare("triangulation-4", &Index4::picture(&frame)), None, "at four bits");
 }
 
 /// Pages hold the same pixels as rows: no pictures of their own.

@@ -161,7 +161,7 @@ fn check(contours: &Contours, window: Rect) -> bool {
 fn scribbles_on_a_grid() {
     let mut rng = Rng::new(600);
     let (mut cut, mut refused) = (0, 0);
-    for _ in 0..120_000 {
+    for _ in 0..80_000 {
         let (side, step) = (rng.int(1, 4), rng.pick(&[128, 256, 256, 300, 512]));
         let contours: Vec<Vec<Units>> = (0..rng.pick(&[1, 1, 1, 2, 2, 3]))
             .map(|_| (0..rng.index(8)).map(|_| (rng.int(0, side) * step, rng.int(0, side) * step)).collect())
@@ -172,7 +172,7 @@ fn scribbles_on_a_grid() {
             refused += 1;
         }
     }
-    assert!(cut > 20_000 && refused > 20_000, "{cut} were cut, {refused} refused");
+    assert!(cut > 15_000 && refused > 15_000, "{cut} were cut, {refused} refused");
 }
 
 /// A few triangles and squares each, on a grid: islands, lakes, shared sides, chains.
@@ -239,7 +239,7 @@ fn star(rng: &mut Rng, middle: Units, radius: i32, n: usize) -> Vec<Units> {
 fn stars_with_stars_in_them() {
     let mut rng = Rng::new(603);
     let mut cut = 0;
-    for _ in 0..10_000 {
+    for _ in 0..4_000 {
         let n = 3 + rng.index(30);
         let mut contours = vec![star(&mut rng, (2500, 2500), 3000, n)];
         for _ in 0..rng.index(6) {
@@ -252,7 +252,7 @@ fn stars_with_stars_in_them() {
         rng.shuffle(&mut contours);
         cut += usize::from(check(&contours, Rect::new(-4, -4, 24, 24)));
     }
-    assert!(cut > 5_000, "{cut} were cut");
+    assert!(cut > 2_000, "{cut} were cut");
 }
 
 /// A comb whose teeth reach into those of another; a spiral as a corridor; a saw with flat vertices.
@@ -463,7 +463,7 @@ fn predicates_are_exact_up_to_the_ends_of_the_type() {
         assert_eq!(in_circle(va, vb, vc, vd), wanted, "{places:?}");
         ties += usize::from(wanted == Ordering::Equal);
     };
-    for i in 0..200_000 {
+    for i in 0..100_000 {
         let places = outline(&mut rng, Scale::ALL[i % 4], 4);
         compare([places[0], places[1], places[2], places[3]]);
         // Corners of a rectangle lie on a circle, and one unit beside it they do not.
@@ -472,10 +472,10 @@ fn predicates_are_exact_up_to_the_ends_of_the_type() {
         compare([(x0, y0), (x1, y0), (x1, y1), (x0.saturating_add(dx), y1.saturating_add(dy))]);
     }
     let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, i32::MAX - 1, i32::MAX];
-    for _ in 0..100_000 {
+    for _ in 0..50_000 {
         compare([(); 4].map(|()| (rng.pick(&ends), rng.pick(&ends))));
     }
-    assert!(ties > 5_000, "only {ties} ties");
+    assert!(ties > 2_500, "only {ties} ties");
 }
 
 fn map() -> Map {

@@ -42,8 +42,8 @@ pub fn turn(a: Vertex, b: Vertex, c: Vertex) -> Ordering {
     turn_at(bits(a), bits(b), bits(c))
 }
 
-/// [`turn`] in units.
-#[inline]
+/// [`turn`] in units. One copy of it: a triangulation asks in twenty places.
+#[inline(never)]
 pub(crate) fn turn_at(a: Place, b: Place, c: Place) -> Ordering {
     let (bx, by) = (difference(b.0, a.0), difference(b.1, a.1));
     let (cx, cy) = (difference(c.0, a.0), difference(c.1, a.1));

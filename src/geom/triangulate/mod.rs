@@ -35,10 +35,10 @@ use core::{cmp::Ordering, ops::Range};
 use self::sides::Sides;
 use super::{
     bits,
-    exact::{cross_sign, Place},
+    exact::{turn_at, Place},
     Vertex,
 };
-use crate::{error::Error, num::round::difference};
+use crate::error::Error;
 
 /// One slot of scratch memory: a side and the corner where it starts.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -196,21 +196,21 @@ impl Mesh<'_> {
     }
 
     /// Where a node is, and the nodes before and after it: the two ends of its sector, backwards.
-    #[inline(always)]
+    #[inline(never)]
     fn corner(&self, i: u16) -> [Place; 3] {
         let node = self.node(i);
         [self.node(node.prev).vertex, node.vertex, self.node(node.next).vertex].map(|vertex| self.place(vertex))
     }
 
     /// Makes one node the next of another.
-    #[inline(always)]
+    #[inline(never)]
     fn join(&mut self, from: u16, to: u16) {
         self.set(from, |node| node.next = to);
         self.set(to, |node| node.prev = from);
     }
 
     /// Visits the nodes of a loop from `from` on up to, and without, `to`; all of them if that is the same.
-    #[inline(always)]
+    #[inline]
     fn walk(&mut self, from: u16, to: u16, mut visit: impl FnMut(&mut Self, u16)) {
         let mut i = from;
         // A loop has no more nodes than there are.
@@ -224,7 +224,7 @@ impl Mesh<'_> {
     }
 
     /// The upper of two vertices, then the lower.
-    #[inline]
+    #[inline(never)]
     fn downwards(&self, a: u16, b: u16) -> (u16, u16) {
         if down(self.place(a)) < down(self.place(b)) {
             (a, b)
@@ -235,16 +235,15 @@ impl Mesh<'_> {
 }
 
 /// Whether `p` lies inside of the sector of a corner: clockwise from the side that leaves it and before the one that comes.
-#[inline]
+#[inline(never)]
 fn in_sector([before, at, after]: [Place; 3], p: Place) -> bool {
-    let to = |p: Place| (difference(p.0, at.0), difference(p.1, at.1));
-    let (before, after, p) = (to(before), to(after), to(p));
-    let (from_after, to_before) = (cross_sign(after, p), cross_sign(p, before));
-    if cross_sign(after, before) == Ordering::Greater {
-        from_after == Ordering::Greater && to_before == Ordering::Greater
+    let after_side = turn_at(at, after, p) == Ordering::Greater;
+    let before_side = turn_at(at, p, before) == Ordering::Greater;
+    if turn_at(at, after, before) == Ordering::Greater {
+        after_side && before_side
     } else {
         // The rest of the round is a sector below a half turn, or a half turn: outside are it and its ends.
-        from_after == Ordering::Greater || to_before == Ordering::Greater
+        after_side || before_side
     }
 }
 

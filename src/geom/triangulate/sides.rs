@@ -182,10 +182,10 @@ impl Mesh<'_> {
         for i in self.numbers() {
             let side = self.node(i);
             let (upper, lower) = self.downwards(side.vertex, side.end);
-            let left = self.numbers().filter(|&j| j != i && self.is_left(j, upper, lower)).count();
+            let is_inside = self.numbers().fold(false, |odd, j| odd ^ (j != i && self.is_left(j, upper, lower)));
             // Going down, the right hand is on the left of the screen.
             let goes_down = side.vertex == upper;
-            if (left % 2 == 1) != goes_down {
+            if is_inside != goes_down {
                 self.set(i, |node| (node.vertex, node.end) = (side.end, side.vertex));
             }
         }
