@@ -77,3 +77,9 @@ pub(crate) const fn saturate(n: i64) -> i32 {
 pub(crate) const fn magnitude(n: i64) -> u64 {
     n as u64
 }
+
+/// A number that is known to be below 2^63, signed.
+#[inline(always)]
+pub(crate) const fn signed_wide(n: u64) -> i64 {
+    n as i64
+}
