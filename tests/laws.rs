@@ -91,6 +91,7 @@ fn every_law(kind: &dyn Kind) {
     blits_are_their_pixels(kind);
     every_phase_of_a_blit(kind);
     masks_are_their_pixels(kind);
+    many_rows_at_once_are_their_pixels(kind);
     moves_are_their_pixels(kind);
     embedded_graphics_draws_pixels(kind);
     constructors_check(kind);
@@ -421,6 +422,37 @@ fn masks_are_their_pixels(kind: &dyn Kind) {
         kind.open(&twin, &mut real).clipped(clip).blit_mask(at, &mask, part, colors.0, colors.1);
         twin.blit_mask(clip, at, &mask, part, colors);
         twin.assert_same(&real, &|| format!("{part:?} of a mask at {at} in {clip:?}, {colors:?}"));
+    }
+}
+
+/// Wide rows and high columns: with every other gap they are whole words apart, and what is done for many rows at once is
+/// done.
+fn many_rows_at_once_are_their_pixels(kind: &dyn Kind) {
+    let mut rng = Rng::new(65);
+    let memory = |rng: &mut Rng, size: (u16, u16)| {
+        let row = kind.format().row_bytes(size.0.into());
+        let (start, gap) = (rng.index(8), rng.pick(&[1, row.wrapping_neg() % 4]));
+        Naive::random(rng, kind.format(), size, start, gap)
+    };
+    for _ in 0..300 {
+        let size = |rng: &mut Rng| (rng.int(1, 150) as u16, rng.int(1, 5) as u16);
+        let (to_size, from_size) = (size(&mut rng), size(&mut rng));
+        let (mut twin, source) = (memory(&mut rng, to_size), memory(&mut rng, from_size));
+        let mut real = twin.bytes.clone();
+        let at = Point::new(rng.int(-9, 20), rng.int(-1, 2));
+        kind.open(&twin, &mut real).blit(at, &source, source.window(), None);
+        twin.blit(twin.window(), at, &source, source.window(), None);
+        twin.assert_same(&real, &|| format!("{from_size:?} to {to_size:?} at {at}"));
+    }
+    for _ in 0..100 {
+        let size = (rng.int(2, 30) as u16, rng.int(1, 40) as u16);
+        let mut twin = memory(&mut rng, size);
+        let mut real = twin.bytes.clone();
+        let (x, y0, y1) = (rng.int(0, 29), rng.int(-1, 9), rng.int(5, 40));
+        let (area, color) = (Rect::new(x, y0, x + 1, y1), kind.format().random(&mut rng));
+        kind.open(&twin, &mut real).fill_area(area, color);
+        twin.fill(area, color);
+        twin.assert_same(&real, &|| format!("column {area:?} of {size:?}"));
     }
 }
 

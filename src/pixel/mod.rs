@@ -22,6 +22,8 @@
 
 use embedded_graphics_core::pixelcolor::{raw::RawData, PixelColor};
 
+use crate::target::COMPACT;
+
 mod color;
 pub(crate) mod mask;
 pub(crate) mod packed;
@@ -148,7 +150,7 @@ pub(crate) fn fill_rows<F: PixelFormat>(
     (x0, x1): (usize, usize),
     bits: u32,
 ) {
-    if rows == 1 {
+    if rows == 1 && !COMPACT {
         return fill::<F>(memory, first_row, x0, x1, bits);
     }
     if F::BITS < 8 {
@@ -157,7 +159,7 @@ pub(crate) fn fill_rows<F: PixelFormat>(
     let last_row = first_row.wrapping_add(rows.wrapping_sub(1).wrapping_mul(stride));
     let len = byte::<F>(0, x1).wrapping_sub(byte::<F>(0, x0));
     let Some(all) = memory.get_mut(byte::<F>(first_row, x0)..byte::<F>(last_row, x1)) else { return };
-    word::fill_area::<F>(all, stride, len, bits);
+    word::fill_area::<F>(all, (stride, rows), len, bits);
 }
 
 /// Writes one pixel.
@@ -196,19 +198,38 @@ pub(crate) const fn bytes_per_pixel<F: PixelFormat>() -> usize {
 #[inline(always)]
 pub(crate) fn copy<F: PixelFormat>(
     to: &mut [u8],
-    (to_row, to_x): (usize, usize),
+    to_place: (usize, usize),
     from: &[u8],
-    (from_row, from_x): (usize, usize),
+    from_place: (usize, usize),
     n: usize,
 ) {
+    copy_rows::<F>((to, 0), to_place, (from, 0), from_place, (n, 1));
+}
+
+/// The same for rows, at least one, that start a stride apart: each memory comes with its own.
+#[inline(always)]
+pub(crate) fn copy_rows<F: PixelFormat>(
+    (to, to_stride): (&mut [u8], usize),
+    (to_row, to_x): (usize, usize),
+    (from, from_stride): (&[u8], usize),
+    (from_row, from_x): (usize, usize),
+    (n, rows): (usize, usize),
+) {
     if F::BITS < 8 {
-        packed::copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
-    } else {
-        let to = to.get_mut(byte::<F>(to_row, to_x)..byte::<F>(to_row, to_x.wrapping_add(n)));
-        let from = from.get(byte::<F>(from_row, from_x)..byte::<F>(from_row, from_x.wrapping_add(n)));
-        if let (Some(to), Some(from)) = (to, from) {
-            word::copy(to, from);
+        for i in 0..rows {
+            let to_row = to_row.wrapping_add(i.wrapping_mul(to_stride));
+            let from_row = from_row.wrapping_add(i.wrapping_mul(from_stride));
+            packed::copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
         }
+        return;
+    }
+    let below = rows.wrapping_sub(1);
+    let (start, from_start) = (byte::<F>(to_row, to_x), byte::<F>(from_row, from_x));
+    let len = byte::<F>(0, n);
+    let end = start.wrapping_add(below.wrapping_mul(to_stride)).wrapping_add(len);
+    let from_end = from_start.wrapping_add(below.wrapping_mul(from_stride)).wrapping_add(len);
+    if let (Some(to), Some(from)) = (to.get_mut(start..end), from.get(from_start..from_end)) {
+        word::copy_rows((to, to_stride), (from, from_stride), (len, rows));
     }
 }
 
@@ -229,6 +250,9 @@ pub(crate) fn copy_keyed<F: PixelFormat>(
     n: usize,
     key: u32,
 ) {
+    if F::BITS < 8 && !has_unused_bits::<F>() {
+        return packed::copy_keyed::<F>(to, (to_row, to_x), from, (from_row, from_x), n, key);
+    }
     if F::BITS >= 8 && !has_unused_bits::<F>() {
         let to = to.get_mut(byte::<F>(to_row, to_x)..byte::<F>(to_row, to_x.wrapping_add(n)));
         let from = from.get(byte::<F>(from_row, from_x)..byte::<F>(from_row, from_x.wrapping_add(n)));

@@ -8,7 +8,7 @@
 //! ends and a plain middle.
 
 use super::{word, PixelFormat};
-use crate::num::cast::low_u8;
+use crate::{num::cast::low_u8, target::COMPACT};
 
 /// Pixels of a byte, less one: 7, 3, 1.
 const fn last_in_byte<F: PixelFormat>() -> usize {
@@ -117,7 +117,7 @@ pub(super) fn fill_rows<F: PixelFormat>(
     if head_mask & tail_mask == 0xff {
         return word::fill_rows(memory, stride, len, word_of(byte));
     }
-    word::rows(memory, stride, len, |row| match row {
+    word::each_row(memory, stride, len, |row| match row {
         [only] => *only = merge(*only, byte, head_mask & tail_mask),
         [head, middle @ .., tail] => {
             *head = merge(*head, byte, head_mask);
@@ -147,14 +147,52 @@ pub(super) fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
     nth::<F>(byte, x)
 }
 
-/// Copies pixels. Where their places in the bytes differ, every byte is put together from two of the source.
+/// Copies pixels.
 #[inline(always)]
 pub(super) fn copy<F: PixelFormat>(
+    to: &mut [u8],
+    to_place: (usize, usize),
+    from: &[u8],
+    from_place: (usize, usize),
+    n: usize,
+) {
+    copy_masked::<F>(to, to_place, from, from_place, n, |_| u32::MAX);
+}
+
+/// Copies the pixels that differ from `key`.
+#[inline(always)]
+pub(super) fn copy_keyed<F: PixelFormat>(
+    to: &mut [u8],
+    to_place: (usize, usize),
+    from: &[u8],
+    from_place: (usize, usize),
+    n: usize,
+    key: u32,
+) {
+    let keys = word_of(repeat::<F>(key));
+    copy_masked::<F>(to, to_place, from, from_place, n, |bits| filled::<F>(bits ^ keys));
+}
+
+/// All bits of the pixels that are not 0.
+#[inline(always)]
+fn filled<F: PixelFormat>(pixels: u32) -> u32 {
+    // The lowest bit of each pixel becomes the OR of all.
+    let pairs = if F::BITS >= 2 { pixels | pixels >> 1 } else { pixels };
+    let any = if F::BITS >= 4 { pairs | pairs >> 2 } else { pairs };
+    let lowest = word_of(repeat::<F>(1));
+    (any & lowest).wrapping_mul(u32::from(mask::<F>()))
+}
+
+/// Copies the bits that `opaque` says of the pixels. Where their places in the bytes differ, every byte is put together
+/// from two of the source.
+#[inline(always)]
+fn copy_masked<F: PixelFormat>(
     to: &mut [u8],
     (to_row, to_x): (usize, usize),
     from: &[u8],
     (from_row, from_x): (usize, usize),
     n: usize,
+    opaque: impl Fn(u32) -> u32,
 ) {
     let last = to_x.wrapping_add(n).wrapping_sub(1);
     let bytes = to_row.wrapping_add(to_x >> byte_shift::<F>())..=to_row.wrapping_add(last >> byte_shift::<F>());
@@ -162,28 +200,63 @@ pub(super) fn copy<F: PixelFormat>(
     // The pixel of the source for the first place of the first byte. It may lie up to a byte before the row: one byte is
     // added here and taken off below, and a byte that is not there reads as 0 and is masked out.
     let aligned = from_x.wrapping_add(8 / F::BITS as usize).wrapping_sub(to_x & last_in_byte::<F>());
-    let mut at = from_row.wrapping_add(aligned >> byte_shift::<F>()).wrapping_sub(1);
+    let at = from_row.wrapping_add(aligned >> byte_shift::<F>()).wrapping_sub(1);
     let skip = in_byte::<F>(aligned);
-    let mut current = from.get(at).copied().unwrap_or(0);
-    let mut shifted = || {
-        at = at.wrapping_add(1);
-        let next = from.get(at).copied().unwrap_or(0);
+    let byte = |at: usize| from.get(at).copied().unwrap_or(0);
+    let put = |place: &mut u8, current: u8, next: u8, mask: u8| {
         let (first, second) = (u32::from(current), u32::from(next));
-        current = next;
         // With skip = 0 the second byte is shifted out.
-        low_u8(if F::LSB0 { (second << 8 | first) >> skip } else { (first << 8 | second) << skip >> 8 })
+        let new = low_u8(if F::LSB0 { (second << 8 | first) >> skip } else { (first << 8 | second) << skip >> 8 });
+        *place = merge(*place, new, low_u8(opaque(new.into())) & mask);
     };
-    let head_mask = from_mask::<F>(to_x);
-    let tail_mask = to_mask::<F>(last);
+    let (head_mask, tail_mask) = (from_mask::<F>(to_x), to_mask::<F>(last));
+    let (mut current, next) = (byte(at), byte(at.wrapping_add(1)));
     match run {
-        [only] => *only = merge(*only, shifted(), head_mask & tail_mask),
+        [only] => put(only, current, next, head_mask & tail_mask),
         [head, middle @ .., tail] => {
-            *head = merge(*head, shifted(), head_mask);
-            for byte in middle {
-                *byte = shifted();
+            put(head, current, next, head_mask);
+            current = next;
+            // The pixels of whole bytes are all there, and so are their bytes and the one that follows.
+            let (start, end) = (at.wrapping_add(2), at.wrapping_add(2).wrapping_add(middle.len()));
+            let mut sources = from.get(start..end).unwrap_or_default();
+            let mut groups = middle.chunks_exact_mut(if COMPACT { usize::MAX } else { 4 });
+            for group in &mut groups {
+                let (Some(place), Some((word, after))) = (group.first_chunk_mut(), sources.split_first_chunk()) else {
+                    break;
+                };
+                current = put_word::<F>(place, current, *word, skip, &opaque);
+                sources = after;
             }
-            *tail = merge(*tail, shifted(), tail_mask);
+            for place in groups.into_remainder() {
+                let Some((&next, after)) = sources.split_first() else { break };
+                put(place, current, next, 0xff);
+                (current, sources) = (next, after);
+            }
+            put(tail, current, byte(end), tail_mask);
         }
         [] => {}
     }
+}
+
+/// The same for four bytes at once, between the byte before and the last of `next`, which is returned.
+#[inline(always)]
+fn put_word<F: PixelFormat>(
+    place: &mut [u8; 4],
+    current: u8,
+    next: [u8; 4],
+    skip: u32,
+    opaque: impl Fn(u32) -> u32,
+) -> u8 {
+    let load = |bytes| if F::LSB0 { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) };
+    let (first, second) = (u32::from(current), load(next));
+    let (beyond, back) = (24_u32.wrapping_add(skip), 8_u32.wrapping_sub(skip));
+    let new = if F::LSB0 {
+        first.wrapping_shr(skip) | second.wrapping_shl(back)
+    } else {
+        first.wrapping_shl(beyond) | second.wrapping_shr(back)
+    };
+    let old = load(*place);
+    let merged = old ^ ((old ^ new) & opaque(new));
+    *place = if F::LSB0 { merged.to_le_bytes() } else { merged.to_be_bytes() };
+    next[3]
 }

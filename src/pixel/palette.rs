@@ -3,7 +3,10 @@
 use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
 
 use super::{color::rescale, word::keep_rolled, PixelFormat, Rgb332};
-use crate::num::cast::{low_u16, low_u32, low_u8};
+use crate::{
+    num::cast::{low_u16, low_u32, low_u8},
+    target::COMPACT,
+};
 
 /// A table of `N` colours that indices are shown through.
 ///
@@ -123,27 +126,26 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     };
-    // Eight pixels to a round. Between halves the compiler may not mix: it would load all indices first, and run out of
-    // registers.
-    let (bytes_per_round, size) = (I::BITS as usize, N * per_byte);
-    let mut all_bytes = indices.chunks_exact(bytes_per_round);
-    for round in out.chunks_exact_mut(8 * N) {
-        let Some(bytes) = all_bytes.next() else { break };
-        for i in 0..bytes_per_round {
-            let at = i.wrapping_mul(size);
-            if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
-                put(places, byte);
-            }
-            if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
-                keep_rolled();
+    // Sixteen pixels to a round; what is left is less than that of pixels or of indices, and a row may end within a byte.
+    let (bytes_per_round, size) = (2 * I::BITS as usize, N * per_byte);
+    let rounds = if COMPACT { 0 } else { (indices.len() / bytes_per_round).min(out.len() / (16 * N)) };
+    let indices = indices.split_at_checked(rounds.wrapping_mul(bytes_per_round));
+    let out = out.split_at_mut_checked(rounds.wrapping_mul(16 * N));
+    let (Some((all_bytes, indices)), Some((all_places, out))) = (indices, out) else { return };
+    if !COMPACT {
+        for (bytes, round) in all_bytes.chunks_exact(bytes_per_round).zip(all_places.chunks_exact_mut(16 * N)) {
+            for i in 0..bytes_per_round {
+                let at = i.wrapping_mul(size);
+                if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
+                    put(places, byte);
+                }
+                // Otherwise all indices would be loaded first, and there are not enough registers.
+                if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
+                    keep_rolled();
+                }
             }
         }
     }
-    // What is left is less than a round of pixels or of indices, and a row may end within a byte.
-    let rounds = (indices.len() / bytes_per_round).min(out.len() / (8 * N));
-    let (indices, out) =
-        (indices.get(rounds.wrapping_mul(bytes_per_round)..), out.get_mut(rounds.wrapping_mul(8 * N)..));
-    let (Some(indices), Some(out)) = (indices, out) else { return };
     for (places, &byte) in out.chunks_mut(N * per_byte).zip(indices) {
         put(places, byte);
     }

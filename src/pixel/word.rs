@@ -6,12 +6,12 @@
 
 use core::{hint::black_box, mem::take};
 
-use bytemuck::{cast_mut, cast_ref, pod_align_to, pod_align_to_mut};
+use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut, Pod};
 
 use super::{bytes_per_pixel, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::UNALIGNED,
+    target::{COMPACT, UNALIGNED},
 };
 
 /// Keeps the loop around it as it is written: an empty piece of assembly, without instructions. Unrolled at run time, a
@@ -41,15 +41,16 @@ pub(super) fn fill<F: PixelFormat>(run: &mut [u8], bits: u32) {
     }
 }
 
-/// Fills rows of `len` bytes, the first at the start of `memory` and each `stride` bytes after the last, until it ends.
+/// Fills `rows` rows of `len` bytes, the first at the start of `memory` and each `stride` bytes after the last; `memory`
+/// ends with the last.
 #[inline(always)]
-pub(super) fn fill_area<F: PixelFormat>(memory: &mut [u8], stride: usize, len: usize, bits: u32) {
+pub(super) fn fill_area<F: PixelFormat>(memory: &mut [u8], (stride, rows): (usize, usize), len: usize, bits: u32) {
     if F::BITS == 24 && len == stride {
         fill_span24(memory, bits);
     } else if F::BITS == 24 {
-        rows(memory, stride, len, |row| fill_span24(row, bits));
-    } else if len == bytes_per_pixel::<F>() && len < stride {
-        fill_column::<F>(memory, stride, bits);
+        each_row(memory, stride, len, |row| fill_span24(row, bits));
+    } else if len == bytes_per_pixel::<F>() && len < stride && stride.is_multiple_of(len) {
+        fill_column::<F>(memory, (stride, rows), bits);
     } else {
         fill_rows(memory, stride, len, word::<F>(bits));
     }
@@ -57,7 +58,7 @@ pub(super) fn fill_area<F: PixelFormat>(memory: &mut [u8], stride: usize, len: u
 
 /// Calls `f` with each row. Cutting the slice row by row costs 7 instructions a row on Cortex-M4, `chunks_mut` 11.
 #[inline(always)]
-pub(super) fn rows(mut memory: &mut [u8], stride: usize, len: usize, mut f: impl FnMut(&mut [u8])) {
+pub(super) fn each_row(mut memory: &mut [u8], stride: usize, len: usize, mut f: impl FnMut(&mut [u8])) {
     while let Some(row) = memory.get_mut(..len) {
         f(row);
         let Some(rest) = take(&mut memory).get_mut(stride..) else { return };
@@ -67,11 +68,57 @@ pub(super) fn rows(mut memory: &mut [u8], stride: usize, len: usize, mut f: impl
 
 /// Fills one run with a pattern of 1, 2 or 4 bytes, given as the word that starts at its first byte; the length is a
 /// multiple of the pattern's.
+#[inline(always)]
+pub(super) fn fill_span(run: &mut [u8], word: u32) {
+    if COMPACT {
+        fill_compact(run, word);
+    } else {
+        fill_fast(run, word);
+    }
+}
+
+/// One short loop for all formats: aligned words, and at the ends either words that overlap with them or bytes.
+#[inline(never)]
+fn fill_compact(run: &mut [u8], word: u32) {
+    /// Returns the word that starts at the byte after the last.
+    #[inline(never)]
+    fn fill_bytes(run: &mut [u8], mut word: u32) -> u32 {
+        for place in run {
+            [*place, _, _, _] = word.to_le_bytes();
+            word = word.rotate_right(8);
+        }
+        word
+    }
+    if UNALIGNED && run.len() < 4 {
+        fill_bytes(run, word);
+        return;
+    }
+    if UNALIGNED {
+        put_ends(run, word.to_le_bytes());
+    }
+    let (head, words, tail) = pod_align_to_mut::<u8, u32>(run);
+    let word = if UNALIGNED { turned(word, head.len()) } else { fill_bytes(head, word) };
+    let mut groups = words.chunks_exact_mut(4);
+    for group in &mut groups {
+        if let [a, b, c, d] = group {
+            let w = word.to_le();
+            (*a, *b, *c, *d) = (w, w, w, w);
+        }
+    }
+    for place in groups.into_remainder() {
+        *place = word.to_le();
+    }
+    if !UNALIGNED {
+        fill_bytes(tail, word);
+    }
+}
+
+/// In several ways, each without a loop or with a wide one.
 ///
 /// Where words can be stored anywhere, up to 32 bytes are two halves that overlap: each store is at a fixed distance from
 /// the start or from the end, so there is no loop. Longer runs overlap a word at each end with the aligned words between.
 #[inline(always)]
-pub(super) fn fill_span(run: &mut [u8], word: u32) {
+fn fill_fast(run: &mut [u8], word: u32) {
     if UNALIGNED && run.len() <= 32 || run.len() <= 16 {
         return fill_short(run, word);
     }
@@ -84,21 +131,21 @@ pub(super) fn fill_span(run: &mut [u8], word: u32) {
             *last = bytes;
         }
         let (head, middle, _) = pod_align_to_mut::<u8, u32>(run);
-        fill_words(middle, turned(word, head.len()));
+        fill_words(middle, turned(word, head.len()).to_le());
     } else {
         let (head, middle, tail) = pod_align_to_mut::<u8, u32>(run);
         let turned = turned(word, head.len());
         fill_end(head, word);
         fill_end(tail, turned);
-        fill_words(middle, turned);
+        fill_words(middle, turned.to_le());
     }
 }
 
-/// The word that starts `bytes` further on in the pattern.
+/// The word that starts `bytes` further on in the pattern. In memory it is `to_le` of it.
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "at most 3")]
 fn turned(word: u32, bytes: usize) -> u32 {
-    u32::from_le(word).rotate_right(bytes as u32 * 8).to_le()
+    word.rotate_right(bytes as u32 * 8)
 }
 
 /// 0 to 32 bytes.
@@ -214,14 +261,17 @@ const WIDE: usize = 4 * 40 + 8;
 
 /// The rows of a rectangle, with a pattern of 1, 2 or 4 bytes. Rows without a gap are one long run.
 pub(super) fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32) {
-    if len == stride && UNALIGNED && memory.len() >= LONG {
+    if COMPACT {
+        let len = if len == stride { memory.len() } else { len };
+        each_row(memory, stride, len, |row| fill_compact(row, word));
+    } else if len == stride && UNALIGNED && memory.len() >= LONG {
         fill_long(memory, word);
     } else if len == stride {
-        fill_span(memory, word);
+        fill_fast(memory, word);
     } else if UNALIGNED && len >= WIDE && stride.is_multiple_of(4) {
         fill_rows_wide(memory, stride, len, word);
     } else {
-        rows(memory, stride, len, |row| fill_span(row, word));
+        each_row(memory, stride, len, |row| fill_fast(row, word));
     }
 }
 
@@ -232,10 +282,10 @@ pub(super) fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32)
 #[inline(never)]
 fn fill_rows_wide(memory: &mut [u8], stride: usize, len: usize, word: u32) {
     let bytes = word.to_le_bytes();
-    let w = turned(word, pod_align_to_mut::<u8, u32>(memory).0.len());
+    let w = turned(word, pod_align_to_mut::<u8, u32>(memory).0.len()).to_le();
     let v = nine_names(w);
     let group = [v[7], v[2], v[1], v[0], v[5], v[4], v[3], v[6]];
-    rows(memory, stride, len, |row| {
+    each_row(memory, stride, len, |row| {
         put_ends(row, bytes);
         let (_, words, _) = pod_align_to_mut::<u8, u32>(row);
         for five in words.chunks_exact_mut(40) {
@@ -255,7 +305,7 @@ const LONG: usize = 4 * 4 * 126;
 fn fill_long(run: &mut [u8], word: u32) {
     put_ends(run, word.to_le_bytes());
     let (head, words, _) = pod_align_to_mut::<u8, u32>(run);
-    let w = turned(word, head.len());
+    let w = turned(word, head.len()).to_le();
     let rounds = words.len() - words.len() % 126;
     if let Some((long, rest)) = words.split_at_mut_checked(rounds) {
         fill_rounds(long, w);
@@ -314,34 +364,45 @@ fn put_first<T: Copy, const N: usize>(places: &mut [T], values: [T; N]) {
     }
 }
 
-/// A vertical run: the first pixel of the memory, and one every `stride` bytes until it ends.
+/// A vertical run: the first pixel of the memory, and one every `stride` bytes, a multiple of the pixel's.
 #[inline(always)]
-fn fill_column<F: PixelFormat>(memory: &mut [u8], stride: usize, bits: u32) {
+fn fill_column<F: PixelFormat>(memory: &mut [u8], (stride, rows): (usize, usize), bits: u32) {
     match F::BITS {
-        8 => column(memory, stride, low_u8(bits).to_le_bytes()),
-        16 => column(memory, stride, low_u16(bits).to_le_bytes()),
-        _ => column(memory, stride, bits.to_le_bytes()),
+        8 => column(memory, (stride, rows), [low_u8(bits)]),
+        16 => column(memory, (stride, rows), low_u16(bits).to_le_bytes()),
+        _ => column(memory, (stride, rows), bits.to_le_bytes()),
     }
 }
 
-fn column<const N: usize>(mut memory: &mut [u8], stride: usize, pixel: [u8; N]) {
-    #[inline(always)]
-    fn put<const N: usize>(memory: &mut [u8], at: usize, pixel: [u8; N]) {
-        if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
-            *place = pixel;
+/// Four quarters at a time: as long as each other, they share the index and its one comparison.
+fn column<const N: usize>(memory: &mut [u8], (stride, rows): (usize, usize), pixel: [u8; N])
+where
+    [u8; N]: Pod,
+{
+    let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(memory);
+    let pitch = stride / N;
+    let mut rest = pixels;
+    if !COMPACT {
+        // Of the rows before the last, which ends with its pixel.
+        let quarter = (rows.wrapping_sub(1) >> 2).wrapping_mul(pitch);
+        let Some((a, after)) = take(&mut rest).split_at_mut_checked(quarter) else { return };
+        let Some((b, after)) = after.split_at_mut_checked(quarter) else { return };
+        let Some((c, after)) = after.split_at_mut_checked(quarter) else { return };
+        let Some((d, after)) = after.split_at_mut_checked(quarter) else { return };
+        let mut at = 0;
+        while let (Some(a), Some(b), Some(c), Some(d)) = (a.get_mut(at), b.get_mut(at), c.get_mut(at), d.get_mut(at)) {
+            (*a, *b, *c, *d) = (pixel, pixel, pixel, pixel);
+            at = at.wrapping_add(pitch);
+            keep_rolled();
         }
+        rest = after;
     }
-    // Four rows to a round, and one comparison for all: the far one first, it proves the others.
-    while let Some(rest) = stride.checked_mul(3).and_then(|far| memory.get_mut(..far.saturating_add(N))) {
-        put(rest, stride.wrapping_mul(3), pixel);
-        put(rest, stride.wrapping_mul(2), pixel);
-        put(rest, stride, pixel);
-        put(rest, 0, pixel);
-        let Some(next) = take(&mut memory).get_mut(stride.wrapping_mul(4)..) else { return };
-        memory = next;
+    let mut at = 0;
+    while let Some(place) = rest.get_mut(at) {
+        *place = pixel;
+        at = at.wrapping_add(pitch);
         keep_rolled();
     }
-    rows(memory, stride, N, |row| put(row, 0, pixel));
 }
 
 /// Writes the pixel at byte `at`.
@@ -409,18 +470,111 @@ pub(super) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[u8], key: u32) {
     }
 }
 
+/// Copies `rows` rows of `len` bytes, the first ones at the start of each memory and the others a stride after the last;
+/// both memories end with the last row.
+#[inline(never)]
+pub(super) fn copy_rows(
+    (mut to, to_stride): (&mut [u8], usize),
+    (mut from, from_stride): (&[u8], usize),
+    (len, rows): (usize, usize),
+) {
+    if !COMPACT && UNALIGNED && len >= STRIPS && to_stride >= 64 && from_stride >= 64 && to_stride.is_multiple_of(4) {
+        return copy_strips((to, to_stride), (from, from_stride), (len, rows));
+    }
+    while let (Some(row), Some(source)) = (to.get_mut(..len), from.get(..len)) {
+        copy(row, source);
+        let Some(next) = take(&mut to).get_mut(to_stride..) else { return };
+        let Some(next_source) = from.get(from_stride..) else { return };
+        (to, from) = (next, next_source);
+    }
+}
+
+/// Rows of at least this many bytes, eight aligned words, are copied by strips.
+const STRIPS: usize = 4 * 8 + 3;
+
+/// Strip by strip of sixteen or eight words, each from the top to the bottom: nothing has to be found out for each row, as
+/// rows that are whole words apart are all aligned like the first. Pairs of aligned words are stored by one instruction,
+/// words are loaded from anywhere. The ends of the rows overlap with the strips, and the last strip with the one before.
+fn copy_strips((to, to_stride): (&mut [u8], usize), (from, from_stride): (&[u8], usize), (len, rows): (usize, usize)) {
+    let last = len.wrapping_sub(4);
+    strip((to, to_stride), (from, from_stride), rows, copy_word);
+    if let (Some(to), Some(from)) = (to.get_mut(last..), from.get(last..)) {
+        strip((to, to_stride), (from, from_stride), rows, copy_word);
+    }
+    let (head, to, _) = pod_align_to_mut::<u8, u32>(to);
+    let Some(from) = from.get(head.len()..) else { return };
+    let words = len.wrapping_sub(head.len()) / 4;
+    let width = if words < 16 { 8 } else { 16 };
+    let mut left = 0;
+    while left < words {
+        let at = left.min(words.wrapping_sub(width));
+        let (Some(to), Some(from)) = (to.get_mut(at..), from.get(at.wrapping_mul(4)..)) else { return };
+        if width == 16 {
+            strip((to, to_stride / 4), (from, from_stride), rows, copy_words::<16>);
+        } else {
+            strip((to, to_stride / 4), (from, from_stride), rows, copy_words::<8>);
+        }
+        left = left.wrapping_add(width);
+    }
+}
+
+#[inline(always)]
+fn copy_word(to: &mut [u8], from: &[u8]) {
+    if let (Some(to), Some(from)) = (to.first_chunk_mut::<4>(), from.first_chunk()) {
+        *to = *from;
+    }
+}
+
+/// Calls `copy` with each row, from its start on.
+#[inline(never)]
+fn strip<T>(
+    (to, stride): (&mut [T], usize),
+    (from, from_stride): (&[u8], usize),
+    rows: usize,
+    copy: impl Fn(&mut [T], &[u8]),
+) {
+    let below = rows.wrapping_sub(1);
+    let body = to.split_at_mut_checked(below.wrapping_mul(stride));
+    let from_body = from.split_at_checked(below.wrapping_mul(from_stride));
+    let (Some((body, last)), Some((from_body, from_last))) = (body, from_body) else { return };
+    if stride >= 16 && from_stride >= 64 {
+        for (to, from) in body.chunks_exact_mut(stride).zip(from_body.chunks_exact(from_stride)) {
+            copy(to, from);
+            keep_rolled();
+        }
+    }
+    copy(last, from_last);
+}
+
 /// Copies bytes between runs of the same length.
 ///
 /// `copy_from_slice` calls a `memcpy` that on small cores goes byte by byte when the alignments differ.
-#[inline(never)]
-pub(super) fn copy(to: &mut [u8], from: &[u8]) {
-    if to.len() != from.len() {
-        return;
-    }
-    if UNALIGNED {
+#[inline(always)]
+fn copy(to: &mut [u8], from: &[u8]) {
+    if COMPACT {
+        copy_compact(to, from);
+    } else if UNALIGNED {
         copy_unaligned(to, from);
     } else {
         copy_aligned(to, from);
+    }
+}
+
+/// Unit by unit, the widest that both runs allow.
+#[inline(always)]
+fn copy_compact(to: &mut [u8], from: &[u8]) {
+    if UNALIGNED {
+        let (_, words, rest) = pod_align_to_mut::<u8, [u8; 4]>(to);
+        let (_, from, from_rest) = pod_align_to::<u8, [u8; 4]>(from);
+        copy_each(words, from.iter().copied());
+        return copy_each(rest, from_rest.iter().copied());
+    }
+    match (pod_align_to_mut::<u8, u16>(to), pod_align_to::<u8, u16>(from)) {
+        (([], halves, rest), ([], from, from_rest)) => {
+            copy_each(halves, from.iter().copied());
+            copy_each(rest, from_rest.iter().copied());
+        }
+        _ => copy_each(to, from.iter().copied()),
     }
 }
 
@@ -479,8 +633,25 @@ fn copy_unaligned(to: &mut [u8], from: &[u8]) {
     }
 }
 
-/// Aligned stores, and the widest loads that the source allows.
+/// The first `N` words, a multiple of four.
 #[inline(always)]
+fn copy_words<const N: usize>(to: &mut [u32], from: &[u8]) {
+    let (Some(to), Some(from)) = (to.first_chunk_mut::<N>(), from.get(..4 * N)) else { return };
+    let mut sources = from.chunks_exact(16);
+    for to in to.chunks_exact_mut(4) {
+        let from = sources.next().and_then(<[u8]>::first_chunk).map(cast_ref::<[u8; 16], [[u8; 4]; 4]>);
+        if let ([a, b, c, d], Some([p, q, r, s])) = (to, from) {
+            let (p, q, r, s) = (cast(*p), cast(*q), cast(*r), cast(*s));
+            // Stores that follow each other become double ones.
+            keep_rolled();
+            (*a, *b, *c, *d) = (p, q, r, s);
+            keep_rolled();
+        }
+    }
+}
+
+/// Aligned stores, and the widest loads that the source allows.
+#[inline(never)]
 fn copy_aligned(to: &mut [u8], from: &[u8]) {
     let (head, words, tail) = pod_align_to_mut::<u8, u32>(to);
     let Some((from_head, from)) = from.split_at_checked(head.len()) else { return };
@@ -497,7 +668,7 @@ fn copy_aligned(to: &mut [u8], from: &[u8]) {
         }
         copy_each(groups.into_remainder(), from_groups.remainder().iter().copied());
     } else if let ([], from, []) = pod_align_to::<u8, [u16; 2]>(from_words) {
-        copy_each(words, from.iter().map(|&pair| bytemuck::cast(pair)));
+        copy_each(words, from.iter().map(|&pair| cast(pair)));
     } else {
         copy_each(words, from_words.chunks_exact(4).map(|b| b.first_chunk().copied().map_or(0, u32::from_ne_bytes)));
     }

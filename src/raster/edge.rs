@@ -66,12 +66,12 @@ impl Edge {
     #[inline(always)]
     pub(crate) fn put(&mut self, upper: Vertex, lower: Vertex, skip: i32, (y, end): (i32, i32), down: bool) {
         let Some(slope) = Slope::new(bits(upper), bits(lower)) else { return };
-        let (down, rows) = (slope.down(skip), end.wrapping_sub(y));
+        let (depth, rows) = (slope.down(skip), end.wrapping_sub(y));
         // Two stores: of one, the smaller side's numbers would go by way of the stack.
         if slope.is_small() {
-            self.crossing.set(slope.small(down, rows));
+            self.crossing.set(slope.small(depth, rows));
         } else {
-            self.crossing.set(slope.any(down));
+            self.crossing.set(slope.any(depth));
         }
         self.y.set(y);
         self.end = end.wrapping_mul(2) | i32::from(!down);

@@ -122,7 +122,11 @@ impl<'a, F: PixelFormat> Bitmap<'a, F> {
 impl<F: PixelFormat> Framebuffer<'_, F> {
     /// Copies a bitmap so that its top left pixel falls on `at`. What lies outside is clipped.
     pub fn blit(&mut self, at: Point, source: &Bitmap<'_, F>) {
-        self.blit_rows(at, source, |memory, to, from, n| pixel::copy::<F>(memory, to, source.memory, from, n));
+        let Some(plan) = Plan::new(self.window(), at, source.window) else { return };
+        let to = (self.row_start(plan.to.y), self.x(plan.to.x));
+        let from = (source.row_start(plan.from.y), source.x(plan.from.x));
+        let (stride, size) = (self.stride(), (plan.width, index(plan.height)));
+        pixel::copy_rows::<F>((self.memory(), stride), to, (source.memory, source.stride), from, size);
     }
 
     /// The same, but pixels of the colour `key` are transparent.

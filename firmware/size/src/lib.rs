@@ -9,7 +9,7 @@ use embedded_graphics::framebuffer::Framebuffer as EgFramebuffer;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::Point;
-use embedded_raster::{buffer_bytes, Framebuffer, PixelFormat, Vertex};
+use embedded_raster::{buffer_bytes, Bitmap, Framebuffer, PixelFormat, Vertex};
 
 /// Columns of the screen.
 pub const WIDTH: u16 = 320;
@@ -83,6 +83,17 @@ fn run(work: &mut dyn FnMut()) {
 #[inline]
 pub fn color<F: PixelFormat>() -> F::Color {
     F::unpack(black_box(9))
+}
+
+/// Lets a function draw a picture of 16 x 16 pixels on the framebuffer, at a place that is not known either.
+#[inline]
+pub fn on_picture(draw: impl Fn(&mut Framebuffer<'_, Rgb565>, Point, &Bitmap<'_, Rgb565>)) {
+    static PICTURE: [u8; 2 * 16 * 16] = [7; 2 * 16 * 16];
+    on_frame::<Rgb565>(|frame| {
+        let Ok(picture) = Bitmap::new(black_box(&PICTURE), 16, 16) else { return };
+        let [at, _] = points();
+        draw(frame, at, &picture);
+    });
 }
 
 /// Two pixels, not known either.
