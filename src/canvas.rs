@@ -160,7 +160,12 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        rounded::fill(area, radii, self.window(), |span| self.fill_span(span, color));
+        // The rows between the corners at once.
+        let (window, middle) = (self.window(), rounded::straight(area, radii));
+        self.fill_area(middle, color);
+        for part in [Rect { y1: window.y1.min(middle.y0), ..window }, Rect { y0: window.y0.max(middle.y1), ..window }] {
+            rounded::fill(area, radii, part, |span| self.fill_span(span, color));
+        }
     }
 
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.

@@ -8,7 +8,7 @@ use embedded_raster::{
         ellipse::Ellipse,
         rounded::{self, Radii},
     },
-    Angle, Rect, Vertex,
+    Angle, Canvas, Rect, Vertex,
 };
 use fixed::types::I24F8;
 use support::{assert_runs, collect, rng::Rng, runs_where, scenes::window_near, tiles, twins, Run, TILE_SIZES};
@@ -181,6 +181,9 @@ fn check_rounded(area: Rect, radii: Radii, window: Rect) {
     };
     let got = collect(window, |emit| rounded::fill(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, filled), || format!("filled {area:?} {radii:?}"));
+    let mut hits = support::hits::Hits::new(window);
+    hits.fill_rounded(area, radii, embedded_graphics_core::pixelcolor::BinaryColor::On);
+    assert_runs(window, &hits.runs(), &runs_where(window, filled), || format!("canvas {area:?} {radii:?}"));
     let got = collect(window, |emit| rounded::outline(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, border), || format!("outline of {area:?} {radii:?}"));
 }

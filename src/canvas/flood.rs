@@ -22,7 +22,7 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
     /// let mut ram = [0b0010_0000, 0b0101_0000, 0b0010_0000];
     /// let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 8, 3)?;
     /// frame.flood_fill(Point::new(0, 0), Reach::Sides, BinaryColor::On, &mut [Pending::EMPTY; 8]);
-    /// assert_eq!(ram, [0b1111_1111, 0b1101_1111, 0b1111_1111]);
+    /// assert_eq!(ram, [0b1110_0000, 0b1101_0000, 0b1110_0000]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     pub fn flood_fill(&mut self, seed: Point, reach: Reach, color: F::Color, table: &mut [Pending]) {

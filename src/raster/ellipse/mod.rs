@@ -51,6 +51,7 @@ use crate::{
     },
     rect::Rect,
     span::{ClippedSpan, Span},
+    target::COMPACT,
 };
 
 mod form;
@@ -188,8 +189,50 @@ pub fn fill(ellipse: Ellipse, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
         return;
     }
     match ellipse.size() {
+        Size::Small if !COMPACT && ellipse.closed && ellipse.radii.0 == ellipse.radii.1 && clip == ellipse.extent => {
+            fill_disc(clip, emit);
+        }
         Size::Small => fill_by::<Wrapping<i32>>(&ellipse, clip, emit),
         size => fill_large(&ellipse, size, clip, &mut emit),
+    }
+}
+
+/// A whole disc in its box: [`fill_by`] without what clipping takes, and with fewer registers.
+///
+/// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`.
+#[inline(always)]
+fn fill_disc(area: Rect, mut emit: impl FnMut(ClippedSpan)) {
+    let Rect { x0, y0, x1, y1 } = area;
+    let sum = x0.wrapping_add(x1);
+    let diameter = x1.wrapping_sub(x0);
+    // From the middle, u = 0 or 1, on the first row, v = 1 - a.
+    let odd = diameter & 1;
+    let middle = x0.wrapping_add(diameter >> 1);
+    let mut end = middle;
+    let mut f = (1 - odd).wrapping_sub(diameter.wrapping_mul(2)) >> 2;
+    let mut down = 2_i32.wrapping_sub(diameter);
+    let mut step = 2 - odd;
+    for y in y0..y1 {
+        while f < 0 {
+            f = f.wrapping_add(step);
+            step = step.wrapping_add(2);
+            end = end.wrapping_add(1);
+        }
+        while end != middle {
+            let before = f.wrapping_sub(step).wrapping_add(2);
+            if before < 0 {
+                break;
+            }
+            f = before;
+            step = step.wrapping_sub(2);
+            end = end.wrapping_sub(1);
+        }
+        f = f.wrapping_add(down);
+        down = down.wrapping_add(2);
+        let start = sum.wrapping_sub(end);
+        if start < end {
+            emit(ClippedSpan::inside(y, start, end));
+        }
     }
 }
 
