@@ -1,5 +1,14 @@
 //! Arcs, sectors, rings and rounded rectangles, pixel by pixel.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::cast_lossless,
+    reason = "tests mix widths on purpose"
+)]
+
 mod support;
 
 use embedded_raster::{
@@ -259,7 +268,9 @@ fn tiles_of_every_size_show_the_same() {
             let wanted = shape(whole);
             for size in TILE_SIZES {
                 let mut hits = support::hits::Hits::new(whole);
-                tiles(whole, size).into_iter().for_each(|tile| hits.add(&shape(tile)));
+                for tile in tiles(whole, size) {
+                    hits.add(&shape(tile));
+                }
                 assert_runs(whole, &hits.runs(), &wanted, || format!("kind {kind} of {area:?} in {size:?}"));
             }
         }

@@ -188,13 +188,18 @@ pub fn fill(ellipse: Ellipse, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
     if clip.is_empty() {
         return;
     }
-    match ellipse.size() {
-        Size::Small if !COMPACT && ellipse.closed && ellipse.radii.0 == ellipse.radii.1 && clip == ellipse.extent => {
-            fill_disc(clip, emit);
-        }
-        Size::Small => fill_by::<Wrapping<i32>>(&ellipse, clip, emit),
-        size => fill_large(&ellipse, size, clip, &mut emit),
+    // One copy of the surface's code here, for what is drawn most, and one for all the rest.
+    if !COMPACT && ellipse.closed && clip == ellipse.extent && is_small_disc(clip) {
+        fill_disc(clip, emit);
+    } else {
+        fill_any(&ellipse, clip, &mut emit);
     }
+}
+
+/// A disc whose `2 a^2` fits 31 bits.
+#[inline(always)]
+fn is_small_disc(area: Rect) -> bool {
+    area.width() == area.height() && area.width() <= 1 << 15
 }
 
 /// A whole disc in its box: [`fill_by`] without what clipping takes, and with fewer registers.
@@ -236,14 +241,12 @@ fn fill_disc(area: Rect, mut emit: impl FnMut(ClippedSpan)) {
     }
 }
 
-/// Ellipses that are not small, with one copy of the surface's code for all of them.
-#[cold]
 #[inline(never)]
-fn fill_large(ellipse: &Ellipse, size: Size, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
-    if size == Size::Medium {
-        fill_by::<Wrapping<i64>>(ellipse, clip, emit);
-    } else {
-        fill_by::<Wrapping<i128>>(ellipse, clip, emit);
+fn fill_any(ellipse: &Ellipse, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    match ellipse.size() {
+        Size::Small => fill_by::<Wrapping<i32>>(ellipse, clip, emit),
+        Size::Medium => fill_by::<Wrapping<i64>>(ellipse, clip, emit),
+        Size::Large => fill_by::<Wrapping<i128>>(ellipse, clip, emit),
     }
 }
 

@@ -4,7 +4,7 @@ use core::num::Wrapping;
 
 use super::{
     form::{mirrored, Follower, Form, Number},
-    size_of, Ellipse, Size,
+    is_small_disc, size_of, Ellipse, Size,
 };
 use crate::{
     num::cast::{narrow, signed, unsigned},
@@ -42,11 +42,10 @@ fn draw<const FILLED: bool>(area: Rect, window: Rect, mut emit: impl FnMut(Clipp
     if clip.is_empty() {
         return;
     }
-    let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
-    match size_of(radii, 1) {
-        Size::Small if !COMPACT && !FILLED && radii.0 == radii.1 && clip == area => draw_circle(area, emit),
-        Size::Small => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
-        size => draw_large::<FILLED>(area, radii, size, clip, &mut emit),
+    if !COMPACT && !FILLED && clip == area && is_small_disc(area) {
+        draw_circle(area, emit);
+    } else {
+        draw_any::<FILLED>(area, clip, &mut emit);
     }
 }
 
@@ -75,11 +74,14 @@ fn draw_circle(area: Rect, mut emit: impl FnMut(ClippedSpan)) {
         columns.0 = columns.0.wrapping_add(down);
         down = down.wrapping_add(1);
         let (start, left_end) = (sum.wrapping_sub(end), sum.wrapping_sub(low));
-        if left_end >= low {
-            emit(ClippedSpan::inside(y, start, end));
-        } else {
-            emit(ClippedSpan::inside(y, start, left_end));
-            emit(ClippedSpan::inside(y, low, end));
+        // The left half and then the right one; where they touch, both at once.
+        let (mut x0, mut x1) = (start, if left_end >= low { end } else { left_end });
+        loop {
+            emit(ClippedSpan::inside(y, x0, x1));
+            if x1 == end {
+                break;
+            }
+            (x0, x1) = (low, end);
         }
     }
 }
@@ -104,19 +106,13 @@ fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
     at
 }
 
-#[cold]
 #[inline(never)]
-fn draw_large<const FILLED: bool>(
-    area: Rect,
-    radii: (i64, i64),
-    size: Size,
-    clip: Rect,
-    emit: &mut dyn FnMut(ClippedSpan),
-) {
-    if size == Size::Medium {
-        draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit);
-    } else {
-        draw_by::<Wrapping<i128>, FILLED>(area, radii, clip, emit);
+fn draw_any<const FILLED: bool>(area: Rect, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
+    match size_of(radii, 1) {
+        Size::Small => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
+        Size::Medium => draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit),
+        Size::Large => draw_by::<Wrapping<i128>, FILLED>(area, radii, clip, emit),
     }
 }
 
