@@ -219,8 +219,8 @@ fn small_mazes_with_many_loops() {
             let maze = maze(&mut rng, 41, 31, loops);
             for capacity in [0, 1, 4, 16] {
                 for reach in REACHES {
-                check(&maze, (1, 1), reach, capacity);
-            }
+                    check(&maze, (1, 1), reach, capacity);
+                }
             }
         }
     }
@@ -263,8 +263,8 @@ fn patterns() {
     ]);
     for capacity in 0..4 {
         for reach in REACHES {
-                check(&spiral, (3, 4), reach, capacity);
-            }
+            check(&spiral, (3, 4), reach, capacity);
+        }
     }
 }
 
