@@ -87,13 +87,28 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_ellipse(&mut self, ellipse: Ellipse, color: Self::Color) {
-        ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color));
+        // The loop over a small disc is compiled together with the surface's code.
+        match ellipse::disc(&ellipse, self.window()) {
+            Some(disc) => {
+                for span in disc {
+                    self.fill_span(span, color);
+                }
+            }
+            None => ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color)),
+        }
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels.
     #[inline]
     fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
-        ellipse::outline(area, self.window(), |span| self.fill_span(span, color));
+        match ellipse::circle(area, self.window()) {
+            Some(circle) => {
+                for span in circle {
+                    self.fill_span(span, color);
+                }
+            }
+            None => ellipse::outline(area, self.window(), |span| self.fill_span(span, color)),
+        }
     }
 
     /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included.

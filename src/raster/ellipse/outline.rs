@@ -1,6 +1,6 @@
 //! Outlines one pixel wide.
 
-use core::num::Wrapping;
+use core::{hint::black_box, num::Wrapping};
 
 use super::{
     form::{mirrored, Follower, Form, Number},
@@ -42,47 +42,95 @@ fn draw<const FILLED: bool>(area: Rect, window: Rect, mut emit: impl FnMut(Clipp
     if clip.is_empty() {
         return;
     }
-    if !COMPACT && !FILLED && clip == area && is_small_disc(area) {
-        draw_circle(area, emit);
-    } else {
-        draw_any::<FILLED>(area, clip, &mut emit);
+    match circle(area, window) {
+        Some(circle) if !FILLED => circle.for_each(emit),
+        _ => draw_any::<FILLED>(area, clip, &mut emit),
     }
 }
 
-/// A whole circle in its box: [`draw_by`] without what clipping takes, and with fewer registers.
+/// The outline of a small circle, if all of it lies in the window.
 #[inline(always)]
-fn draw_circle(area: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    let Rect { x0, y0, x1, y1 } = area;
-    let (sum, a) = (x0.wrapping_add(x1), x1.wrapping_sub(x0).wrapping_sub(1));
-    let square = |n: i32| n.wrapping_mul(n);
-    // From the middle of the first row, v = -a: u = 0 or 1 for the columns, one more for the midpoint to the next column.
-    let odd = a & 1;
-    let middle = x0.wrapping_add(x1.wrapping_sub(x0) >> 1);
-    let (mut above, mut nearest) = (middle, middle);
-    let value = |u: i32, v: i32| square(u).wrapping_add(square(v)).wrapping_sub(square(a)).wrapping_sub(1) >> 2;
-    let mut columns = (value(odd, 1_i32.wrapping_sub(a)), odd.wrapping_add(1));
-    let mut midpoints = (value(odd.wrapping_add(1), a), odd.wrapping_add(2));
-    let mut down = 1_i32.wrapping_sub(a);
-    for y in y0..y1 {
-        let below = follow(&mut columns, above, middle, x1);
-        nearest = follow(&mut midpoints, nearest, middle, x1.wrapping_sub(1));
-        let low = above.min(below).min(nearest);
-        let end = above.max(below).max(nearest.wrapping_add(1));
-        above = below;
-        midpoints.0 = midpoints.0.wrapping_add(down);
-        down = down.wrapping_add(1);
-        columns.0 = columns.0.wrapping_add(down);
-        down = down.wrapping_add(1);
-        let (start, left_end) = (sum.wrapping_sub(end), sum.wrapping_sub(low));
-        // The left half and then the right one; where they touch, both at once.
-        let (mut x0, mut x1) = (start, if left_end >= low { end } else { left_end });
-        loop {
-            emit(ClippedSpan::inside(y, x0, x1));
-            if x1 == end {
-                break;
-            }
-            (x0, x1) = (low, end);
+pub(crate) fn circle(area: Rect, window: Rect) -> Option<Circle> {
+    let inside = area.intersection(window) == area && !area.is_empty();
+    (!COMPACT && inside && is_small_disc(area)).then(|| Circle::new(area))
+}
+
+/// The spans of a whole circle: [`draw_by`] without what clipping takes, and with fewer registers.
+pub(crate) struct Circle {
+    /// F of the next column at the lower end of the row, and what it gains to the one after that.
+    columns: (i32, i32),
+    /// The same for the midpoint to the next column, on the row.
+    midpoints: (i32, i32),
+    /// What `midpoints` gains to the next row.
+    down: i32,
+    /// The columns so far: at the upper end of the row, and the nearest one on the row.
+    above: i32,
+    nearest: i32,
+    middle: i32,
+    /// Both ends of a row together.
+    sum: i32,
+    x1: i32,
+    y: i32,
+    y1: i32,
+    /// The right half of the row whose left half came last, if it is apart.
+    right: (i32, i32),
+}
+
+impl Circle {
+    #[inline(always)]
+    fn new(area: Rect) -> Self {
+        let Rect { x0, y0, x1, y1 } = area;
+        let a = x1.wrapping_sub(x0).wrapping_sub(1);
+        let square = |n: i32| n.wrapping_mul(n);
+        let value = |u: i32, v: i32| square(u).wrapping_add(square(v)).wrapping_sub(square(a)).wrapping_sub(1) >> 2;
+        // From the middle of the first row, v = -a: u = 0 or 1 for the columns, one more for the midpoint to the next.
+        let odd = a & 1;
+        let middle = x0.wrapping_add(x1.wrapping_sub(x0) >> 1);
+        Self {
+            columns: (value(odd, 1_i32.wrapping_sub(a)), odd + 1),
+            midpoints: (value(odd + 1, a), odd + 2),
+            down: 1_i32.wrapping_sub(a),
+            above: middle,
+            nearest: middle,
+            middle,
+            sum: x0.wrapping_add(x1),
+            x1,
+            y: y0,
+            y1,
+            right: (0, 0),
         }
+    }
+}
+
+impl Iterator for Circle {
+    type Item = ClippedSpan;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<ClippedSpan> {
+        let (low, end) = self.right;
+        if low != end {
+            self.right = (0, 0);
+            return Some(ClippedSpan::inside(self.y.wrapping_sub(1), low, end));
+        }
+        if self.y >= self.y1 {
+            return None;
+        }
+        let below = follow(&mut self.columns, self.above, self.middle, self.x1);
+        self.nearest = follow(&mut self.midpoints, self.nearest, self.middle, self.x1.wrapping_sub(1));
+        let low = self.above.min(below).min(self.nearest);
+        let end = self.above.max(below).max(self.nearest.wrapping_add(1));
+        self.above = below;
+        self.midpoints.0 = self.midpoints.0.wrapping_add(self.down);
+        self.columns.0 = self.columns.0.wrapping_add(self.down).wrapping_add(1);
+        self.down = self.down.wrapping_add(2);
+        let y = self.y;
+        self.y = y.wrapping_add(1);
+        let (start, left_end) = (self.sum.wrapping_sub(end), self.sum.wrapping_sub(low));
+        if left_end >= low {
+            return Some(ClippedSpan::inside(y, start, end));
+        }
+        self.right = (low, end);
+        Some(ClippedSpan::inside(y, start, left_end))
     }
 }
 
@@ -93,6 +141,7 @@ fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
         *f = f.wrapping_add(*step);
         *step = step.wrapping_add(2);
         at = at.wrapping_add(1);
+        black_box(());
     }
     while at > from {
         let before = f.wrapping_sub(*step).wrapping_add(2);
@@ -102,6 +151,7 @@ fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
         *f = before;
         *step = step.wrapping_sub(2);
         at = at.wrapping_sub(1);
+        black_box(());
     }
     at
 }
