@@ -122,7 +122,7 @@ fn random_arcs() {
             1 => (x0 + width / 2, y0),
             _ => {
                 let turn = f64::from(start.to_bits()) / 4_294_967_296.0 * std::f64::consts::TAU;
-                let on = |from: i64, size: i64, part: f64| from + ((part + 1.0) / 2.0 * size as f64) as i64;
+                let on = |from: i64, size: i64, part: f64| from + size / 2 + (part * 0.5 * size as f64) as i64;
                 (on(x0, width, turn.cos()), on(y0, height, turn.sin()))
             }
         };
