@@ -91,13 +91,28 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_ellipse(&mut self, ellipse: Ellipse, color: Self::Color) {
-        ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color));
+        // The loop over a small disc is compiled together with the surface's code.
+        match ellipse::disc(&ellipse, self.window()) {
+            Some(disc) => {
+                for span in disc {
+                    self.fill_span(span, color);
+                }
+            }
+            None => ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color)),
+        }
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels.
     #[inline]
     fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
-        ellipse::outline(area, self.window(), |span| self.fill_span(span, color));
+        match ellipse::circle(area, self.window()) {
+            Some(circle) => {
+                for span in circle {
+                    self.fill_span(span, color);
+                }
+            }
+            None => ellipse::outline(area, self.window(), |span| self.fill_span(span, color)),
+        }
     }
 
     /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included.
@@ -164,7 +179,12 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        rounded::fill(area, radii, self.window(), |span| self.fill_span(span, color));
+        // The rows between the corners at once.
+        let (window, middle) = (self.window(), rounded::straight(area, radii));
+        self.fill_area(middle, color);
+        for part in [Rect { y1: window.y1.min(middle.y0), ..window }, Rect { y0: window.y0.max(middle.y1), ..window }] {
+            rounded::fill(area, radii, part, |span| self.fill_span(span, color));
+        }
     }
 
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.

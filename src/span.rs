@@ -51,6 +51,14 @@ impl Span {
     }
 }
 
+impl ClippedSpan {
+    /// A span of a shape that lies in the window as a whole. Not empty: `x0 < x1`.
+    #[inline(always)]
+    pub(crate) const fn inside(y: i32, x0: i32, x1: i32) -> Self {
+        Self { y, x0, x1 }
+    }
+}
+
 /// A [`Span`] that has at least one pixel and lies inside the window that it was clipped against.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct ClippedSpan {

@@ -1,5 +1,14 @@
 //! Arcs, sectors, rings and rounded rectangles, pixel by pixel.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::cast_lossless,
+    reason = "tests mix widths on purpose"
+)]
+
 mod support;
 
 use embedded_raster::{
@@ -8,7 +17,7 @@ use embedded_raster::{
         ellipse::Ellipse,
         rounded::{self, Radii},
     },
-    Angle, Rect, Vertex,
+    Angle, Canvas, Rect, Vertex,
 };
 use fixed::types::I24F8;
 use support::{assert_runs, collect, rng::Rng, runs_where, scenes::window_near, tiles, twins, Run, TILE_SIZES};
@@ -113,7 +122,7 @@ fn random_arcs() {
             1 => (x0 + width / 2, y0),
             _ => {
                 let turn = f64::from(start.to_bits()) / 4_294_967_296.0 * std::f64::consts::TAU;
-                let on = |from: i64, size: i64, part: f64| from + ((part + 1.0) / 2.0 * size as f64) as i64;
+                let on = |from: i64, size: i64, part: f64| from + size / 2 + (part * 0.5 * size as f64) as i64;
                 (on(x0, width, turn.cos()), on(y0, height, turn.sin()))
             }
         };
@@ -181,6 +190,9 @@ fn check_rounded(area: Rect, radii: Radii, window: Rect) {
     };
     let got = collect(window, |emit| rounded::fill(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, filled), || format!("filled {area:?} {radii:?}"));
+    let mut hits = support::hits::Hits::new(window);
+    hits.fill_rounded(area, radii, embedded_graphics_core::pixelcolor::BinaryColor::On);
+    assert_runs(window, &hits.runs(), &runs_where(window, filled), || format!("canvas {area:?} {radii:?}"));
     let got = collect(window, |emit| rounded::outline(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, border), || format!("outline of {area:?} {radii:?}"));
 }
@@ -256,7 +268,9 @@ fn tiles_of_every_size_show_the_same() {
             let wanted = shape(whole);
             for size in TILE_SIZES {
                 let mut hits = support::hits::Hits::new(whole);
-                tiles(whole, size).into_iter().for_each(|tile| hits.add(&shape(tile)));
+                for tile in tiles(whole, size) {
+                    hits.add(&shape(tile));
+                }
                 assert_runs(whole, &hits.runs(), &wanted, || format!("kind {kind} of {area:?} in {size:?}"));
             }
         }

@@ -1,5 +1,14 @@
 //! Circles and ellipses against the equation of the curve at every pixel, in numbers so wide that nothing can overflow.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::cast_lossless,
+    reason = "tests mix widths on purpose"
+)]
+
 mod support;
 
 use embedded_graphics_core::pixelcolor::BinaryColor;
@@ -135,6 +144,10 @@ fn on_curve(rng: &mut Rng, area: Rect) -> (i64, i64) {
     }
 }
 
+/// Random shapes of each kind.
+const BOXES: usize = 120_000;
+const SHAPES: usize = 120_000;
+
 /// Boxes with axes around powers of two, up to all of the plane, through small windows on the curve.
 #[test]
 fn boxes_of_every_size() {
@@ -144,7 +157,6 @@ fn boxes_of_every_size() {
         let bits = rng.range(0, 32);
         ((1_i64 << bits) + rng.range(-3, 3)).clamp(0, (1 << 32) - 1)
     };
-    const BOXES: usize = 120_000;
     for i in 0..BOXES {
         let (width, height) = (axis(&mut rng), axis(&mut rng));
         let height = if i % 4 == 0 { width } else { height };
@@ -169,7 +181,6 @@ fn boxes_of_every_size() {
 fn units_of_every_size() {
     let mut rng = Rng::new(203);
     let mut seen = 0;
-    const SHAPES: usize = 120_000;
     let radius = |rng: &mut Rng| ((1_i64 << rng.range(0, 31)) + rng.range(-300, 300)).clamp(-5, i32::MAX.into()) as i32;
     for i in 0..SHAPES {
         let radii = (radius(&mut rng), radius(&mut rng));
@@ -244,7 +255,9 @@ fn tiles_of_every_size_show_the_same_ellipse() {
             let wanted = shape(whole);
             for size in TILE_SIZES {
                 let mut hits = Hits::new(whole);
-                tiles(whole, size).into_iter().for_each(|tile| hits.add(&shape(tile)));
+                for tile in tiles(whole, size) {
+                    hits.add(&shape(tile));
+                }
                 assert_runs(whole, &hits.runs(), &wanted, || format!("{i}: kind {kind} of {area:?} in {size:?}"));
             }
         }

@@ -1,6 +1,15 @@
 //! Flood fills against a breadth-first search: every picture of up to 4 x 5 pixels, mazes of a whole screen, with tables of
 //! any length, none at all included.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::cast_lossless,
+    reason = "tests mix widths on purpose"
+)]
+
 mod support;
 
 use std::collections::VecDeque;
@@ -133,7 +142,9 @@ fn every_seed_of_3_x_4() {
         let picture = Letters::new(4, 3, |i| bits >> i & 1 != 0);
         for at in 0..12 {
             for capacity in 0..3 {
-                REACHES.iter().for_each(|&reach| check(&picture, (at % 4, at / 4), reach, capacity));
+                for reach in REACHES {
+                    check(&picture, (at % 4, at / 4), reach, capacity);
+                }
             }
         }
     }
@@ -193,7 +204,9 @@ fn mazes_of_a_screen() {
     for _ in 0..2 {
         let maze = maze(&mut rng, 319, 239, 0);
         for capacity in [1, 4, 16, 64] {
-            REACHES.iter().for_each(|&reach| check(&maze, (1, 1), reach, capacity));
+            for reach in REACHES {
+                check(&maze, (1, 1), reach, capacity);
+            }
         }
     }
 }
@@ -205,7 +218,9 @@ fn small_mazes_with_many_loops() {
         for _ in 0..10 {
             let maze = maze(&mut rng, 41, 31, loops);
             for capacity in [0, 1, 4, 16] {
-                REACHES.iter().for_each(|&reach| check(&maze, (1, 1), reach, capacity));
+                for reach in REACHES {
+                    check(&maze, (1, 1), reach, capacity);
+                }
             }
         }
     }
@@ -247,7 +262,9 @@ fn patterns() {
         ".........",
     ]);
     for capacity in 0..4 {
-        REACHES.iter().for_each(|&reach| check(&spiral, (3, 4), reach, capacity));
+        for reach in REACHES {
+            check(&spiral, (3, 4), reach, capacity);
+        }
     }
 }
 

@@ -20,10 +20,13 @@ use embedded_raster::{
         triangulate::{self, Node},
     },
     pixel::{Xrgb8888, EGA},
+    raster::flood::{Pending, Reach},
     surface::{paged_bytes, Bitmap, Paged},
-    Canvas, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Rect, Surface, Vertex,
+    Angle, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Radii,
+    Rect, Sector, Surface, Vertex,
 };
 use embedded_raster_simulator::Picture;
+use fixed::types::I24F8;
 
 const WIDTH: u16 = 96;
 const HEIGHT: u16 = 64;
@@ -166,6 +169,56 @@ fn rectangles<C: Ink>(surface: &mut impl Surface<Color = C>) {
     surface.fill_area(Rect::new(90, 60, i32::MAX, 99), C::ega(GREY));
 }
 
+/// Discs and outlines of every small size, thin and huge ellipses, sectors, rings, rounded rectangles, points.
+fn rounds<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let mut x = 1;
+    for size in 1..9 {
+        surface.fill_ellipse(Ellipse::in_box(Rect::new(x, 1, x + size, 1 + size)), C::ega(GREEN));
+        surface.draw_ellipse(Rect::new(x, 11, x + size, 11 + size), C::ega(YELLOW));
+        surface.draw_round_point(Vertex::from_bits(x * 256 + 64, 23 * 256), I24F8::from_bits(size * 128), C::ega(RED));
+        x += size + 1;
+    }
+    surface.draw_ellipse(Rect::new(1, 27, 42, 30), C::ega(YELLOW));
+    surface.draw_ellipse(Rect::new(46, 1, 50, 40), C::ega(YELLOW));
+    surface.fill_enclosed(Rect::new(1, 32, 42, 44), C::ega(GREY));
+    surface.draw_ellipse(Rect::new(1, 32, 42, 44), C::ega(GREEN));
+    // The rim of a circle of two million pixels.
+    let far = Ellipse::circle(Vertex::px(1_500_000, 1_500_040), I24F8::from_bits(543_038_639));
+    surface.fill_ellipse(far, C::ega(RED));
+    let angles = [0, 50, 110, 200, 320, 360].map(Angle::degrees);
+    for (pair, color) in angles.windows(2).zip([GREEN, YELLOW, RED, GREY, GREEN]) {
+        let sector = Sector::new(pair[0], pair[1]);
+        let centre = Vertex::px(71, 18);
+        let (outer, inner) =
+            (Ellipse::circle(centre, I24F8::from_num(16)), Ellipse::circle(centre, I24F8::from_num(8)));
+        surface.fill_ring_sector(outer, inner, sector, C::ega(color));
+        surface.fill_sector(Ellipse::circle(centre, I24F8::from_num(6)), sector, C::ega(color));
+        surface.draw_arc(Rect::new(54, 1, 89, 36), sector, C::ega(color));
+    }
+    let radii = Radii { top_left: 12, top_right: 3, bottom_right: 8, bottom_left: 0 };
+    surface.fill_rounded(Rect::new(3, 47, 40, 62), radii, C::ega(GREEN));
+    surface.draw_rounded(Rect::new(1, 45, 42, 64), radii, C::ega(YELLOW));
+    surface.draw_square_point(Vertex::from_bits(92 * 256, 3 * 256), I24F8::from_bits(900), C::ega(GREY));
+}
+
+/// Regions flooded by colour and up to a boundary, through corners and with tables that are too short.
+fn floods<C: Ink>(frame: &mut Framebuffer<'_, C>) {
+    frame.clear(C::ega(GROUND));
+    for i in 0..5 {
+        frame.draw_ellipse(Rect::new(2 + 4 * i, 2 + 3 * i, 60 - 4 * i, 61 - 3 * i), C::ega(YELLOW));
+    }
+    frame.draw_line(Point::new(0, 31), Point::new(62, 35), C::ega(YELLOW));
+    frame.flood_fill(Point::new(30, 5), Reach::Sides, C::ega(GREEN), &mut [Pending::EMPTY]);
+    frame.flood_fill_to(Point::new(30, 28), C::ega(YELLOW), Reach::Sides, C::ega(RED), &mut [Pending::EMPTY; 4]);
+    frame.flood_fill(Point::new(0, 63), Reach::Sides, C::ega(GREY), &mut []);
+    for i in 0..30 {
+        frame.set(Point::new(64 + i, 2 + (i * 7) % 28), C::ega(YELLOW));
+        frame.set(Point::new(64 + i, 33 + i % 2), C::ega(YELLOW));
+    }
+    frame.flood_fill(Point::new(64, 33), Reach::Corners, C::ega(RED), &mut [Pending::EMPTY; 2]);
+}
+
 /// Text of embedded-graphics, clear and on a background, across the sides of the screen too.
 fn text<C: Ink>(target: &mut impl DrawTarget<Color = C, Error = Infallible>) {
     let Ok(()) = target.clear(C::ega(GROUND));
@@ -253,6 +306,10 @@ fn check<C: Ink>(depth: &str) {
     compare("text", &frame);
     blits(&mut frame);
     compare("blits", &frame);
+    rounds(&mut frame);
+    compare("rounds", &frame);
+    floods(&mut frame);
+    compare("floods", &frame);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -310,7 +367,8 @@ fn pages() {
     }
     let mut ram = vec![0; paged_bytes(WIDTH, HEIGHT)];
     let mut pages = Pages::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
-    let scenes: [(&str, Scene); 5] = [
+    let scenes: [(&str, Scene); 6] = [
+        ("rounds-1", |pages| rounds(pages)),
         ("lines-1", |pages| lines(pages)),
         ("triangles-1", |pages| triangles(pages)),
         ("polygons-1", |pages| polygons(pages)),

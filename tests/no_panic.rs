@@ -32,11 +32,16 @@ use embedded_raster::{
         Viewport,
     },
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
-    raster::{line, polygon, rectangle, triangle},
+    raster::{
+        arc, ellipse,
+        flood::{Pending, Reach},
+        line, polygon, rectangle, rounded, triangle,
+    },
     surface::{paged_bytes, Counter, Paged},
-    Bitmap, Canvas, ClippedSpan, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat,
-    Rect, Span, Steps, Surface, Vertex,
+    Angle, Bitmap, Canvas, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette,
+    PixelFormat, Radii, Rect, Sector, Span, Steps, Surface, Vertex,
 };
+use fixed::types::I24F8;
 use support::{memory::color, rng::Rng};
 
 /// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
@@ -194,6 +199,66 @@ fn triangles() {
     }
 }
 
+fn wild_ellipse(rng: &mut Rng) -> Ellipse {
+    let length = |rng: &mut Rng| I24F8::from_bits(wild(rng));
+    match rng.below(4) {
+        0 => Ellipse::in_box(wild_rect(rng)),
+        1 => Ellipse::new(wild_vertex(rng), length(rng), length(rng)),
+        2 => Ellipse::circle(wild_vertex(rng), length(rng)),
+        _ => Ellipse::splat(wild_vertex(rng), length(rng)),
+    }
+}
+
+fn wild_radii(rng: &mut Rng) -> Radii {
+    let mut radius = || wild(rng) as u32;
+    Radii { top_left: radius(), top_right: radius(), bottom_right: radius(), bottom_left: radius() }
+}
+
+fn wild_sector(rng: &mut Rng) -> Sector {
+    let mut angle = || match rng.below(3) {
+        0 => Angle::degrees(wild(rng)),
+        1 => Angle::turns(wild(rng) as u32, wild_u16(rng)),
+        _ => Angle::from_bits(wild(rng) as u32).plus(wild(rng)),
+    };
+    Sector::new(angle(), angle())
+}
+
+#[test]
+fn round_shapes() {
+    let mut rng = Rng::new(115);
+    for _ in 0..200_000 {
+        let (window, area) = (small_window(&mut rng), wild_rect(&mut rng));
+        let (outer, inner) = (wild_ellipse(&mut rng), wild_ellipse(&mut rng));
+        let (sector, radii) = (wild_sector(&mut rng), wild_radii(&mut rng));
+        ellipse::fill(outer, window, look);
+        ellipse::outline(area, window, look);
+        ellipse::enclosed(area, window, look);
+        rounded::fill(area, radii, window, look);
+        rounded::outline(area, radii, window, look);
+        arc::outline(area, sector, window, look);
+        arc::fill(outer, sector, window, look);
+        arc::ring_sector(outer, inner, sector, window, look);
+        black_box(ellipse::square(wild_vertex(&mut rng), I24F8::from_bits(wild(&mut rng))));
+        black_box(sector.contains(wild(&mut rng).into(), wild(&mut rng).into()));
+    }
+}
+
+/// All of the plane at once, where little of it is seen: one row, one column.
+#[test]
+fn round_shapes_in_windows_without_end() {
+    let mut rng = Rng::new(116);
+    for _ in 0..300 {
+        let (x, y) = (wild(&mut rng), wild(&mut rng));
+        let near = |n: i32, rng: &mut Rng| n.saturating_add(rng.int(0, 300));
+        let area = Rect::new(x, y, near(x, &mut rng), near(y, &mut rng));
+        let everything = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
+        ellipse::fill(Ellipse::in_box(area), everything, look);
+        ellipse::outline(area, everything, look);
+        rounded::fill(area, wild_radii(&mut rng), everything, look);
+        rounded::outline(area, wild_radii(&mut rng), everything, look);
+    }
+}
+
 #[test]
 fn polygons() {
     let mut rng = Rng::new(113);
@@ -305,6 +370,17 @@ fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
     surface.draw_polyline((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
     surface.fill_rectangle(wild_vertex(rng), wild_vertex(rng), color);
     surface.fill_triangle([wild_vertex(rng), wild_vertex(rng), wild_vertex(rng)], color);
+    surface.fill_ellipse(wild_ellipse(rng), color);
+    surface.draw_ellipse(wild_rect(rng), color);
+    surface.fill_enclosed(wild_rect(rng), color);
+    surface.draw_round_point(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
+    surface.draw_square_point(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
+    surface.fill_rounded(wild_rect(rng), wild_radii(rng), color);
+    surface.draw_rounded(wild_rect(rng), wild_radii(rng), color);
+    surface.draw_arc(wild_rect(rng), wild_sector(rng), color);
+    surface.fill_sector(wild_ellipse(rng), wild_sector(rng), color);
+    surface.fill_ring(wild_ellipse(rng), wild_ellipse(rng), color);
+    surface.fill_ring_sector(wild_ellipse(rng), wild_ellipse(rng), wild_sector(rng), color);
     let outline: Vec<Vertex> = (0..rng.index(9)).map(|_| wild_vertex(rng)).collect();
     let mut table = vec![Edge::EMPTY; rng.index(9)];
     black_box(surface.fill_polygon(&outline, FillRule::NonZero, &mut table, color).is_ok());
@@ -337,6 +413,9 @@ fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>
     frame.move_area(wild_rect(rng), wild_point(rng));
     frame.move_area_keyed(wild_rect(rng), wild_point(rng), key);
     frame.set(wild_point(rng), key);
+    let mut table = vec![Pending::EMPTY; rng.index(4)];
+    frame.flood_fill(Point::new(rng.int(-1, 17), rng.int(-1, 17)), Reach::Corners, key, &mut table);
+    frame.flood_fill_to(wild_point(rng), key, Reach::Sides, key, &mut table);
     frame.clear(key);
 }
 

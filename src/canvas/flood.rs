@@ -22,7 +22,7 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
     /// let mut ram = [0b0010_0000, 0b0101_0000, 0b0010_0000];
     /// let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 8, 3)?;
     /// frame.flood_fill(Point::new(0, 0), Reach::Sides, BinaryColor::On, &mut [Pending::EMPTY; 8]);
-    /// assert_eq!(ram, [0b1111_1111, 0b1101_1111, 0b1111_1111]);
+    /// assert_eq!(ram, [0b1110_0000, 0b1101_0000, 0b1110_0000]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     pub fn flood_fill(&mut self, seed: Point, reach: Reach, color: F::Color, table: &mut [Pending]) {
@@ -75,6 +75,11 @@ impl<F: PixelFormat, P: Fn(u32) -> bool> Field for Area<'_, '_, F, P> {
     }
 
     #[inline]
+    fn paint_pixel(&mut self, x: i32, y: i32) {
+        self.frame.put(x, y, F::pack(self.color));
+    }
+
+    #[inline]
     fn find(&self, y: i32, x0: i32, x1: i32, open: bool) -> i32 {
         if open {
             self.frame.find(y, x0, x1, |bits| (self.is_open)(bits))
@@ -95,30 +100,30 @@ impl<C: PixelColor + PixelFormat<Color = C>> Paged<'_, C> {
     pub fn flood_fill(&mut self, seed: Point, reach: Reach, color: C, table: &mut [Pending]) {
         let Some(old) = self.get(seed) else { return };
         if old != color {
-            flood::fill(&mut Pages { pages: self, old, color }, seed, reach, table);
+            flood::fill(&mut Pages { paged: self, old, color }, seed, reach, table);
         }
     }
 }
 
 /// Pages of which the pixels of one colour are open.
 struct Pages<'f, 'a, C> {
-    pages: &'f mut Paged<'a, C>,
+    paged: &'f mut Paged<'a, C>,
     old: C,
     color: C,
 }
 
 impl<C: PixelColor + PixelFormat<Color = C>> Field for Pages<'_, '_, C> {
     fn window(&self) -> Rect {
-        self.pages.window()
+        self.paged.window()
     }
 
     #[inline]
     fn is_open(&self, x: i32, y: i32) -> bool {
-        self.pages.get(Point::new(x, y)) == Some(self.old)
+        self.paged.get(Point::new(x, y)) == Some(self.old)
     }
 
     #[inline]
     fn paint(&mut self, span: ClippedSpan) {
-        self.pages.fill_span(span, self.color);
+        self.paged.fill_span(span, self.color);
     }
 }

@@ -40,7 +40,8 @@ impl Angle {
         let d = d as u32;
         let rest = n % d;
         let (high, rest) = ((rest << 16) / d, (rest << 16) % d);
-        Self(high << 16 | (rest << 16) / d)
+        let low = (rest << 16) / d;
+        Self((high << 16) | low)
     }
 
     /// In whole degrees, to the nearest unit.

@@ -53,11 +53,11 @@ const DIAGONAL: i32 = 759_250_125;
 
 /// Cosine and sine in 2.30 of `turn / 2^32` turns.
 pub(crate) fn cos_sin(turn: u32) -> (i32, i32) {
-    let (quarter, rest) = (turn >> 30, turn & (1 << 30) - 1);
+    let (quarter, rest) = (turn >> 30, turn & ((1 << 30) - 1));
     let (x, y) = match rest {
         0 => (ONE, 0),
         0x2000_0000 => (DIAGONAL, DIAGONAL),
-        0..0x2000_0000 => rotated(rest),
+        1..0x2000_0000 => rotated(rest),
         _ => {
             let (x, y) = rotated((1_u32 << 30).wrapping_sub(rest));
             (y, x)

@@ -481,7 +481,9 @@ pub(super) fn copy_rows(
     if !COMPACT && UNALIGNED && len >= STRIPS && to_stride >= 64 && from_stride >= 64 && to_stride.is_multiple_of(4) {
         return copy_strips((to, to_stride), (from, from_stride), (len, rows));
     }
-    while let (Some(row), Some(source)) = (to.get_mut(..len), from.get(..len)) {
+    // Counted: the stride of a single row may be 0.
+    for _ in 0..rows {
+        let (Some(row), Some(source)) = (to.get_mut(..len), from.get(..len)) else { return };
         copy(row, source);
         let Some(next) = take(&mut to).get_mut(to_stride..) else { return };
         let Some(next_source) = from.get(from_stride..) else { return };

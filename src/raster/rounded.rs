@@ -61,6 +61,15 @@ impl Radii {
     }
 }
 
+/// The rows between the corners: a plain rectangle.
+#[inline]
+pub(crate) fn straight(area: Rect, radii: Radii) -> Rect {
+    let radii = radii.limited(area);
+    let upper = radii.top_left.max(radii.top_right);
+    let lower = radii.bottom_left.max(radii.bottom_right);
+    Rect { y0: area.y0.wrapping_add(signed(upper)), y1: area.y1.wrapping_sub(signed(lower)), ..area }
+}
+
 /// Emits the spans of a filled rectangle with rounded corners that lie in `window`, top row first.
 ///
 /// Cannot fail.

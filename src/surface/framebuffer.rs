@@ -215,6 +215,13 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
         x.wrapping_sub(distance(found, end))
     }
 
+    /// Writes a pixel that lies in the window.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, x: i32, y: i32, bits: u32) {
+        let (row, x) = (self.row_start(y), self.x(x));
+        pixel::set::<F>(self.memory, row, x, bits);
+    }
+
     /// The bits of a pixel that lies in the window.
     #[inline(always)]
     pub(crate) fn bits(&self, x: i32, y: i32) -> u32 {

@@ -9,11 +9,11 @@ use embedded_graphics::mono_font::MonoTextStyleBuilder;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle, Triangle as EgTriangle};
+use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle, RoundedRectangle, Triangle as EgTriangle};
 use embedded_graphics::text::Text;
 
 use crate::engine::Engine;
-use crate::scene::{Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+use crate::scene::{corner, Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
 
 /// A frame of embedded-graphics.
 type Frame<C, const N: usize> = Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
@@ -51,6 +51,9 @@ where
     engine.columns = Some(rects);
     engine.lines = Some(lines);
     engine.triangles = Some(triangles);
+    engine.discs = Some(discs);
+    engine.circles = Some(circles);
+    engine.rounded = Some(rounded);
     engine.blit = Some(blit);
     engine.text = Some(|frame, labels| {
         let Ok(()) = text(frame, labels, F::Color::inked);
@@ -127,6 +130,43 @@ where
         let [a, b, c] = triangle.px;
         let style = PrimitiveStyle::with_fill(F::Color::inked(triangle.ink));
         let Ok(()) = EgTriangle::new(a, b, c).into_styled(style).draw(frame);
+    }
+}
+
+fn discs<F>(frame: &mut F, discs: &[Rect])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for disc in discs {
+        let style = PrimitiveStyle::with_fill(F::Color::inked(disc.ink));
+        let Ok(()) = Circle::new(disc.area.top_left, disc.area.size.width).into_styled(style).draw(frame);
+    }
+}
+
+fn circles<F>(frame: &mut F, circles: &[Rect])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for circle in circles {
+        let style = PrimitiveStyle::with_stroke(F::Color::inked(circle.ink), 1);
+        let style = embedded_graphics::primitives::PrimitiveStyleBuilder::from(&style)
+            .stroke_alignment(embedded_graphics::primitives::StrokeAlignment::Inside)
+            .build();
+        let Ok(()) = Circle::new(circle.area.top_left, circle.area.size.width).into_styled(style).draw(frame);
+    }
+}
+
+fn rounded<F>(frame: &mut F, rects: &[Rect])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for rect in rects {
+        let style = PrimitiveStyle::with_fill(F::Color::inked(rect.ink));
+        let shape = RoundedRectangle::with_equal_corners(rect.area, Size::new_equal(corner()));
+        let Ok(()) = shape.into_styled(style).draw(frame);
     }
 }
 

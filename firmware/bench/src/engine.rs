@@ -1,6 +1,6 @@
 //! An engine: what it can draw, as a set of functions over its frame `F`.
 
-use crate::scene::{Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
+use crate::scene::{Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
 
 /// Functions that draw workloads into a frame `F`. What is `None` is left out of the table.
 ///
@@ -27,6 +27,14 @@ pub struct Engine<F> {
     pub lines: Option<fn(&mut F, &[Segment])>,
     /// Filled triangles.
     pub triangles: Option<fn(&mut F, &[Triangle])>,
+    /// Filled circles.
+    pub discs: Option<fn(&mut F, &[Rect])>,
+    /// Outlines of circles.
+    pub circles: Option<fn(&mut F, &[Rect])>,
+    /// Rounded rectangles.
+    pub rounded: Option<fn(&mut F, &[Rect])>,
+    /// A region, flooded twice. It is drawn when its seed is black.
+    pub flood: Option<fn(&mut F, &Flooded<'_>)>,
     /// A filled simple polygon.
     pub polygon: Option<fn(&mut F, &Outline<'_>)>,
     /// A picture at several places.
@@ -53,6 +61,10 @@ impl<F> Engine<F> {
             columns: None,
             lines: None,
             triangles: None,
+            discs: None,
+            circles: None,
+            rounded: None,
+            flood: None,
             polygon: None,
             blit: None,
             blit_key: None,
@@ -70,6 +82,10 @@ impl<F> Engine<F> {
             Work::Columns(columns) => self.columns?(frame, columns),
             Work::Lines(lines) => self.lines?(frame, lines),
             Work::Triangles(triangles) => self.triangles?(frame, triangles),
+            Work::Discs(discs) => self.discs?(frame, discs),
+            Work::Circles(circles) => self.circles?(frame, circles),
+            Work::Rounded(rounded) => self.rounded?(frame, rounded),
+            Work::Flood(flooded) => self.flood?(frame, flooded),
             Work::Polygon(outline) => self.polygon?(frame, outline),
             Work::Blit(sprite) => self.blit?(frame, sprite),
             Work::BlitKey(sprite) => self.blit_key?(frame, sprite),

@@ -5,11 +5,14 @@ use core::marker::PhantomData;
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_raster::pixel::row_bytes;
-use embedded_raster::{Bitmap, Canvas, Edge, FillRule, Framebuffer, Index8, Palette, PixelFormat, Surface, Vertex};
+use embedded_raster::raster::flood::{Pending, Reach};
+use embedded_raster::{
+    Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index8, Palette, PixelFormat, Radii, Surface, Vertex,
+};
 
 use crate::eg;
 use crate::engine::Engine;
-use crate::scene::{Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+use crate::scene::{corner, Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
 
 /// Memory of a frame, as a firmware has it in a `static`, and the table of polygons.
 #[repr(align(4))]
@@ -61,6 +64,10 @@ const fn engine<F: PixelFormat>(format: Format) -> Engine<Frame<F>> {
     engine.columns = Some(rects);
     engine.lines = Some(lines);
     engine.triangles = Some(triangles);
+    engine.discs = Some(discs);
+    engine.circles = Some(circles);
+    engine.rounded = Some(rounded);
+    engine.flood = Some(flood);
     engine.polygon = Some(polygon);
     engine.blit = Some(|frame, sprite| {
         let source = bitmap::<F>(sprite);
@@ -98,6 +105,44 @@ fn triangles<F: PixelFormat>(frame: &mut Frame<F>, triangles: &[Triangle]) {
     for triangle in triangles {
         surface.fill_triangle(triangle.units.map(vertex), color::<F>(triangle.ink));
     }
+}
+
+fn discs<F: PixelFormat>(frame: &mut Frame<F>, discs: &[Rect]) {
+    let mut surface = frame.surface();
+    for disc in discs {
+        surface.fill_ellipse(Ellipse::in_box(disc.area.into()), color::<F>(disc.ink));
+    }
+}
+
+fn circles<F: PixelFormat>(frame: &mut Frame<F>, circles: &[Rect]) {
+    let mut surface = frame.surface();
+    for circle in circles {
+        surface.draw_ellipse(circle.area.into(), color::<F>(circle.ink));
+    }
+}
+
+fn rounded<F: PixelFormat>(frame: &mut Frame<F>, rects: &[Rect]) {
+    let mut surface = frame.surface();
+    for rect in rects {
+        surface.fill_rounded(rect.area.into(), Radii::all(corner()), color::<F>(rect.ink));
+    }
+}
+
+fn flood<F: PixelFormat>(frame: &mut Frame<F>, flooded: &Flooded<'_>) {
+    let mut surface = frame.surface();
+    let [ground, first, second] = flooded.inks.map(color::<F>);
+    if surface.get(flooded.seed).map(F::pack) == Some(0) {
+        for shape in flooded.shapes {
+            if flooded.round {
+                surface.fill_ellipse(Ellipse::in_box(shape.area.into()), ground);
+            } else {
+                surface.fill_area(shape.area.into(), ground);
+            }
+        }
+    }
+    let mut table = [Pending::EMPTY; 16];
+    surface.flood_fill(flooded.seed, Reach::Sides, first, &mut table);
+    surface.flood_fill(flooded.seed, Reach::Sides, second, &mut table);
 }
 
 fn polygon<F: PixelFormat>(frame: &mut Frame<F>, outline: &Outline<'_>) {

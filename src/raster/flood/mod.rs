@@ -87,6 +87,12 @@ pub trait Field {
     /// Paints a span. From then on its pixels must not be open.
     fn paint(&mut self, span: ClippedSpan);
 
+    /// Paints one pixel of the window.
+    #[inline]
+    fn paint_pixel(&mut self, x: i32, y: i32) {
+        self.paint(ClippedSpan::inside(y, x, x.wrapping_add(1)));
+    }
+
     /// The first of the pixels `x0..x1` of a row, all in the window, that is open, or not; `x1` if none is.
     #[inline]
     fn find(&self, y: i32, x0: i32, x1: i32, open: bool) -> i32 {
@@ -190,9 +196,28 @@ impl<F: Field> Flood<'_, F> {
         (x0, x1)
     }
 
+    /// Straight on from one pixel, as long as the way is one pixel wide; returns the row after the last one painted.
+    ///
+    /// What [`search`](Self::search) would do too, in a third of the time.
+    #[inline(always)]
+    fn corridor(&mut self, Pending { mut y, x0, x1, down }: Pending) -> i32 {
+        let window = self.window;
+        let (before, first, last) = (x0.wrapping_sub(1), window.x0, window.x1);
+        while self.reach == Reach::Sides && y >= window.y0 && y < window.y1 {
+            let wide = x0 > first && self.field.is_open(before, y) || x1 < last && self.field.is_open(x1, y);
+            if wide || !self.field.is_open(x0, y) {
+                break;
+            }
+            self.field.paint_pixel(x0, y);
+            y = y.wrapping_add(down);
+        }
+        y
+    }
+
     /// Paints the runs in a range and keeps what they lead to; returns a range to go on with.
     fn search(&mut self, pending: Pending) -> Option<Pending> {
-        let Pending { y, x0, x1, down } = pending;
+        let Pending { x0, x1, down, .. } = pending;
+        let y = if x1 == x0.wrapping_add(1) { self.corridor(pending) } else { pending.y };
         if y < self.window.y0 || y >= self.window.y1 {
             return None;
         }

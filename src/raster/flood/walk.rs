@@ -19,7 +19,7 @@
 //! local features", Computer Graphics and Image Processing 4, 1975 (the crossing number).
 
 use super::{Field, Reach};
-use crate::{rect::Rect, span::Span};
+use crate::rect::Rect;
 
 /// The neighbours, clockwise from the right one: even numbers share a side.
 const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
@@ -63,7 +63,7 @@ pub(super) fn paint(field: &mut impl Field, window: Rect, reach: Reach, (x, y): 
         }
         let (next, turn) = walker.step(open, reach);
         if free {
-            paint_pixel(field, window, walker);
+            field.paint_pixel(walker.x, walker.y);
             if open == 0 {
                 return;
             }
@@ -140,10 +140,4 @@ fn around(field: &impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) ->
     };
     let twice = seen | seen << 8;
     (steps, (seen & !(twice >> 1 & twice >> 2) & 0x55).count_ones())
-}
-
-fn paint_pixel(field: &mut impl Field, window: Rect, Walker { x, y, .. }: Walker) {
-    if let Some(span) = (Span { y, x0: x, x1: x.wrapping_add(1) }).clip_columns(window) {
-        field.paint(span);
-    }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 
-use super::{Ink, Label, Lcg, Rect, Segment, Triangle, Units, HEIGHT, WIDTH};
+use super::{Flooded, Ink, Label, Lcg, Rect, Segment, Triangle, Units, HEIGHT, WIDTH};
 
 /// The colour of single shapes: its two bytes differ, so that swapped ones would show.
 pub(super) const INK: Ink = Ink(0xB6D3);
@@ -171,6 +171,66 @@ pub(super) fn text_pixels(labels: &[Label<'_>]) -> u32 {
     let on = |_: Ink| BinaryColor::On;
     let Ok(()) = crate::eg::text(&mut counter, labels, on);
     counter.0
+}
+
+/// Radius of the corners of rounded rectangles.
+pub(crate) const CORNER: u32 = 16;
+
+/// Pixels whose centres lie in a circle of this diameter.
+fn in_circle(diameter: u32) -> u32 {
+    let d = diameter as i32;
+    let inside = |x: i32, y: i32| (2 * x + 1 - d).pow(2) + (2 * y + 1 - d).pow(2) <= d * d;
+    (0..d).map(|y| (0..d).filter(|&x| inside(x, y)).count() as u32).sum()
+}
+
+pub(super) fn disc_pixels(disc: &Rect) -> u32 {
+    in_circle(disc.area.size.width)
+}
+
+/// Of an outline through the outermost pixels: each column and each row of an eighth has one.
+pub(super) fn circle_pixels(disc: &Rect) -> u32 {
+    // 4 sqrt(2) r, to the nearest pixel.
+    (disc.area.size.width - 1) * 2_828_427 / 1_000_000
+}
+
+pub(super) fn rounded_pixels(rect: &Rect) -> u32 {
+    let size = rect.area.size;
+    size.width * size.height - 4 * CORNER * CORNER + in_circle(2 * CORNER)
+}
+
+/// Rectangles of a spiral corridor.
+pub(super) const MAZE: usize = 118;
+
+/// A corridor one pixel wide, with walls as wide, from the top left corner inwards.
+pub(super) fn spiral(random: &mut Lcg) -> [Rect; MAZE] {
+    let (mut left, mut top, mut right, mut bottom) = (1, 1, W - 3, H - 3);
+    let ink = random.ink();
+    from_fn(|i| {
+        // Each arm goes on where the last one ended.
+        let (a, b) = match i % 4 {
+            0 => ((left - if i == 0 { 0 } else { 2 }, top), (right, top)),
+            1 => ((right, top), (right, bottom)),
+            2 => ((left, bottom), (right, bottom)),
+            _ => ((left, top + 2), (left, bottom)),
+        };
+        if i % 4 == 3 {
+            (left, top, right, bottom) = (left + 2, top + 2, right - 2, bottom - 2);
+        }
+        let size = Size::new((b.0 - a.0 + 1) as u32, (b.1 - a.1 + 1) as u32);
+        Rect { area: Rectangle::new(a.into(), size), ink }
+    })
+}
+
+/// A region to flood; rectangles overlap in one pixel, at corners.
+pub(super) fn flood(shapes: &[Rect], round: bool) -> Flooded<'_> {
+    let first = shapes[0].area;
+    let (seed, pixels) = if round {
+        (first.center(), disc_pixels(&shapes[0]))
+    } else {
+        let areas: u32 = shapes.iter().map(|r| r.area.size.width * r.area.size.height).sum();
+        (first.top_left, areas - shapes.len() as u32 + 1)
+    };
+    Flooded { shapes, round, seed, inks: [Ink(0x0861), INK, Ink(0x5A9D)], pixels }
 }
 
 /// A frame that only counts.

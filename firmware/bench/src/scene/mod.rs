@@ -14,6 +14,11 @@ use embedded_graphics::primitives::Rectangle;
 use lcg::Lcg;
 pub use picture::{Format, Pictures};
 
+/// Radius of the corners of rounded rectangles.
+pub const fn corner() -> u32 {
+    make::CORNER
+}
+
 /// Pixels in a row of the frame.
 pub const WIDTH: usize = 320;
 /// Rows of the frame.
@@ -66,6 +71,20 @@ pub struct Outline<'a> {
     pub ink: Ink,
 }
 
+/// A region to flood, and what it is made of.
+pub struct Flooded<'a> {
+    /// The region, as filled ellipses or rectangles.
+    pub shapes: &'a [Rect],
+    /// Whether these are ellipses.
+    pub round: bool,
+    /// A pixel in it.
+    pub seed: Point,
+    /// The colour of the region, and the two that it is flooded with, one after the other.
+    pub inks: [Ink; 3],
+    /// Its pixels.
+    pub pixels: u32,
+}
+
 /// A picture of `Sprite::SIDE` pixels square, at several places.
 pub struct Sprite<'a> {
     /// Its rows, packed as the frame is; 0 is transparent where a colour key is asked for.
@@ -114,6 +133,14 @@ pub enum Work<'a> {
     Lines(&'a [Segment]),
     /// Filled triangles.
     Triangles(&'a [Triangle]),
+    /// Filled circles in boxes.
+    Discs(&'a [Rect]),
+    /// Their outlines.
+    Circles(&'a [Rect]),
+    /// Filled rectangles with corners of radius 16.
+    Rounded(&'a [Rect]),
+    /// A region to flood twice.
+    Flood(Flooded<'a>),
     /// A filled polygon.
     Polygon(Outline<'a>),
     /// A picture.
@@ -155,11 +182,16 @@ pub struct Scene {
     sprites: [Point; 8],
     text: [Label<'static>; 16],
     opaque_text: [Label<'static>; 16],
+    disc: [Rect; 1],
+    discs: [Rect; 64],
+    rounded: [Rect; 1],
+    flood: [Rect; 1],
+    maze: [Rect; make::MAZE],
 }
 
 impl Scene {
     /// Number of workloads.
-    pub const LEN: usize = 17;
+    pub const LEN: usize = 23;
 
     /// Makes all data, the same each time.
     pub fn new() -> Self {
@@ -179,6 +211,11 @@ impl Scene {
             sprites: make::odd_places(random),
             text: make::labels(random, false),
             opaque_text: make::labels(random, true),
+            disc: [make::rect(random, Point::new(111, 67), 101, 101)],
+            discs: make::rects(random, 13, 13),
+            rounded: [make::rect(random, Point::new(77, 61), 161, 101)],
+            flood: [make::rect(random, Point::new(60, 20), 199, 199)],
+            maze: make::spiral(random),
         }
     }
 
@@ -201,6 +238,12 @@ impl Scene {
             ("slivers-200x2", Work::Triangles(&self.slivers)),
             ("star-10", Work::Polygon(polygon((&star.0, &star.1)))),
             ("outline-200", Work::Polygon(polygon((&outline.0, &outline.1)))),
+            ("disc-101", Work::Discs(&self.disc)),
+            ("discs-13", Work::Discs(&self.discs)),
+            ("circle-101", Work::Circles(&self.disc)),
+            ("rounded-161x101", Work::Rounded(&self.rounded)),
+            ("flood-disc", Work::Flood(make::flood(&self.flood, true))),
+            ("flood-maze", Work::Flood(make::flood(&self.maze, false))),
             ("blit-64", Work::Blit(sprite())),
             ("blit-key-64", Work::BlitKey(sprite())),
             ("expand-8bit", Work::Expand(pictures.indexed())),
@@ -223,6 +266,8 @@ impl Work<'_> {
         match self {
             Self::Clear(_) | Self::Polygon(_) | Self::Expand(_) => 1,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => rects.len(),
+            Self::Discs(boxes) | Self::Circles(boxes) | Self::Rounded(boxes) => boxes.len(),
+            Self::Flood(_) => 2,
             Self::Lines(lines) => lines.len(),
             Self::Triangles(triangles) => triangles.len(),
             Self::Blit(sprite) | Self::BlitKey(sprite) => sprite.at.len(),
@@ -240,6 +285,10 @@ impl Work<'_> {
             Self::Lines(lines) => lines.iter().map(|line| make::length(line.ends)).sum(),
             Self::Triangles(all) => all.iter().map(|t| make::twice_area(&t.px)).sum::<u32>() / 2,
             Self::Polygon(outline) => make::twice_area(outline.px) / 2,
+            Self::Discs(boxes) => boxes.iter().map(make::disc_pixels).sum(),
+            Self::Circles(boxes) => boxes.iter().map(make::circle_pixels).sum(),
+            Self::Rounded(boxes) => boxes.iter().map(make::rounded_pixels).sum(),
+            Self::Flood(flooded) => 2 * flooded.pixels,
             Self::Blit(sprite) => sprite.at.len() as u32 * picture::PIXELS,
             Self::BlitKey(sprite) => sprite.at.len() as u32 * picture::opaque_pixels(),
             Self::Text(labels) => make::text_pixels(labels),

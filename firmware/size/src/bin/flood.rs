@@ -1,0 +1,15 @@
+//! One flood fill at 16 bits.
+#![no_std]
+#![no_main]
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::raster::flood::{Pending, Reach};
+
+board::entry!(main);
+
+fn main() {
+    size::on_frame::<Rgb565>(|frame| {
+        let [seed, _] = size::points();
+        frame.flood_fill(seed, Reach::Sides, size::color::<Rgb565>(), &mut [Pending::EMPTY; 16]);
+    });
+}
