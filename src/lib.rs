@@ -21,7 +21,7 @@ pub use canvas::Canvas;
 pub use error::Error;
 pub use geom::{Path, PathSegment, Vertex};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Cap, Edge, FillRule, Join, Stroke};
+pub use raster::{Cap, Dash, Edge, FillRule, Join, Stroke};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

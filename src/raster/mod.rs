@@ -12,6 +12,7 @@
 //!
 //! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 
+pub mod dash;
 pub mod line;
 pub mod outline;
 pub mod polygon;
@@ -22,6 +23,7 @@ pub mod triangle;
 mod direction;
 mod edge;
 
+pub use dash::Dash;
 pub use edge::Edge;
 pub use polygon::FillRule;
 pub use stroke::{Cap, Join, Stroke};
