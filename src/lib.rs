@@ -22,6 +22,7 @@ pub use error::Error;
 pub use geom::{Angle, Path, PathSegment, Vertex, Viewport};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
 pub use raster::{Cap, Edge, Ellipse, FillRule, Join, Radii, Sector, Stroke};
+pub use raster::{Cap, Dash, Edge, FillRule, Join, Stroke};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

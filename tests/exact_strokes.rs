@@ -12,7 +12,7 @@ use support::{
     curves::{distance, outlines, places, random_path, segments, Outline, Piece},
     rng::Rng,
     scenes::{outline, window_on, Scale},
-    strokes::Pen,
+    strokes::{Pattern, Pen},
     twins, vertices, Run, Units,
 };
 
@@ -271,4 +271,72 @@ fn vertices_of_pieces() {
     assert_eq!(pieces(Cap::Butt, Join::Miter), [first.clone(), miter.clone(), second.clone()]);
     let caps = [px(&[(0, -1), (-1, -1), (-1, 1), (0, 1)]), px(&[(9, 10), (9, 11), (11, 11), (11, 10)])];
     assert_eq!(pieces(Cap::Square, Join::Miter), [caps[0].clone(), first, miter, second, caps[1].clone()]);
+}
+
+fn dashed_pixels(pieces: &[Piece], pen: Pen, pattern: &Pattern, window: Rect) -> Vec<Run> {
+    let path = segments(pieces);
+    let lengths: Vec<I24F8> = pattern.lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
+    let stroke = stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
+    let parts = stroke.of_path(Path::new(&path), window);
+    let mut table = vec![Edge::EMPTY; parts.clone().map(Iterator::count).sum()];
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
+}
+
+fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {
+    let mut rng = Rng::new(520 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..count {
+        let mut path = random_path(&mut rng, scale, 2);
+        let all = [places(&path), vec![(0, 0)]].concat();
+        path.insert(0, Piece::Move(all[0]));
+        let pen = random_pen(&mut rng, 2_000);
+        let n = 1 + rng.index(5);
+        let mut lengths: Vec<i32> = (0..n).map(|_| rng.int(least, most)).collect();
+        if n > 1 && rng.one_in(3) {
+            lengths[n - 1] = rng.pick(&[0, -5]);
+        }
+        let phase = if rng.one_in(3) { 0 } else { rng.int(-3 * most.min(1 << 29), 3 * most.min(1 << 29)) };
+        let pattern = Pattern { lengths, phase };
+        let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
+        let wanted = twins::polygon(&pen.dashes(&outlines(&path, 5), &pattern), FillRule::NonZero, window);
+        let got = dashed_pixels(&path, pen, &pattern, window);
+        assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen > count / 10, "only {seen} strokes were seen");
+}
+
+#[test]
+fn dashes_on_tiny_paths() {
+    dashes(Scale::Tiny, 2_500, (17, 900));
+}
+
+#[test]
+fn dashes_on_a_screen() {
+    dashes(Scale::Screen, 300, (500, 9_000));
+}
+
+#[test]
+fn dashes_on_a_hundred_screens() {
+    dashes(Scale::Hundred, 100, (50_000, 900_000));
+}
+
+#[test]
+fn dashes_at_the_ends_of_the_type() {
+    dashes(Scale::Ends, 40, (1 << 24, i32::MAX));
+}
+
+/// Lines without end cost what the window shows of them, down to dashes of 1/16 pixel.
+#[test]
+fn dashes_beside_the_window_are_skipped() {
+    let mut rng = Rng::new(521);
+    let window = Rect::new(0, 0, 48, 40);
+    let lengths = [8, 8].map(I24F8::from_bits);
+    for _ in 0..2_000 {
+        let far = |rng: &mut Rng| rng.pick(&[i32::MIN, i32::MAX, -(1 << 30), 5_000, 1 << 24]);
+        let line = [(); 2].map(|()| Vertex::from_bits(far(&mut rng), far(&mut rng)));
+        let stroke = Stroke::px(3).dashed(&lengths, I24F8::ZERO);
+        let count = stroke.of_polyline(&line, false, window).count();
+        assert!(count < 16 * 150, "{count} pieces of {line:?}");
+    }
 }

@@ -3,7 +3,7 @@
 //! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
-use std::{convert::Infallible, env, path::Path};
+use std::{convert::Infallible, env, path};
 
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -24,6 +24,8 @@ use embedded_raster::{
     surface::{paged_bytes, Bitmap, Paged},
     Angle, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Radii,
     Rect, Sector, Surface, Vertex,
+    Canvas, Cap, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path, PathSegment,
+    PixelFormat, Rect, Stroke, Surface, Vertex,
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::I24F8;
@@ -146,6 +148,45 @@ fn polygons<C: Ink>(surface: &mut impl Surface<Color = C>) {
         (0..12).map(|i| Vertex::from_bits((46 + 4 * i) * 256, (44 + 16 * (i % 2)) * 256 + 64 * i)).collect();
     let closed = comb.iter().copied().chain([Vertex::px(92, 42), Vertex::px(46, 42)]).collect::<Vec<_>>();
     surface.fill_polygon(&closed, FillRule::EvenOdd, &mut [Edge::EMPTY; 14], C::ega(GREY)).expect("one slot a side");
+}
+
+/// Curves one pixel wide, filled paths, strokes with every cap and join, dashes along a curve.
+fn paths<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let p = |x: i32, y: i32| Vertex::from_bits(128 * x, 128 * y);
+    let mut table = [Edge::EMPTY; 128];
+    // A heart with a hole, in half pixels.
+    let heart = [
+        PathSegment::MoveTo(p(32, 52)),
+        PathSegment::CubicTo(p(-12, 24), p(14, -10), p(32, 14)),
+        PathSegment::CubicTo(p(50, -10), p(76, 24), p(32, 52)),
+        PathSegment::Close,
+        PathSegment::MoveTo(p(24, 26)),
+        PathSegment::QuadraticTo(p(32, 50), p(40, 26)),
+        PathSegment::Close,
+    ];
+    surface.fill_path(Path::new(&heart), FillRule::EvenOdd, &mut table, C::ega(RED)).expect("enough slots");
+    // A loop, a cusp, and a curve whose control points are a million pixels away.
+    surface.draw_cubic([p(64, 50), p(150, 2), p(40, 2), p(118, 50)], C::ega(YELLOW));
+    surface.draw_cubic([p(124, 4), p(190, 50), p(124, 50), p(188, 4)], C::ega(GREEN));
+    surface.draw_quadratic([p(0, 60), p(96, 20), p(191, 60)], C::ega(GREY));
+    let far = 1 << 30;
+    surface.draw_cubic([p(70, 0), Vertex::from_bits(-far, far), Vertex::from_bits(far, far), p(120, 0)], C::ega(GREY));
+    for (i, (cap, join)) in
+        [(Cap::Butt, Join::Miter), (Cap::Square, Join::Bevel), (Cap::Round, Join::Round)].into_iter().enumerate()
+    {
+        let x = 44 * i32::try_from(i).expect("three");
+        let stroke = Stroke::px(5).with_cap(cap).with_join(join);
+        let zigzag = [p(x + 8, 116), p(x + 18, 76), p(x + 26, 116), p(x + 38, 90)];
+        surface.stroke_polyline(&zigzag, false, &stroke, &mut table, C::ega(GREEN)).expect("enough slots");
+        surface.draw_path(Path::new(&[PathSegment::MoveTo(zigzag[0]), PathSegment::LineTo(zigzag[1])]), C::ega(GROUND));
+    }
+    let wave = [PathSegment::MoveTo(p(134, 70)), PathSegment::CubicTo(p(220, 60), p(110, 130), p(188, 120))];
+    let lengths = [6, 4].map(I24F8::from_num);
+    let dashes = Stroke::px(3).with_cap(Cap::Round).dashed(&lengths, I24F8::ZERO);
+    surface.stroke_path(Path::new(&wave), &dashes, &mut table, C::ega(YELLOW)).expect("enough slots");
+    let ring = [p(140, 100), p(156, 92), p(164, 112), p(146, 120)];
+    surface.stroke_polyline(&ring, true, &Stroke::px(1), &mut table, C::ega(RED)).expect("enough slots");
 }
 
 /// Rectangles of every width, one inside the other, at sub-pixel places and across the sides of the screen; points.
@@ -300,6 +341,8 @@ fn check<C: Ink>(depth: &str) {
     compare("triangles", &frame);
     polygons(&mut frame);
     compare("polygons", &frame);
+    paths(&mut frame);
+    compare("paths", &frame);
     rectangles(&mut frame);
     compare("rectangles", &frame);
     text(&mut frame);
@@ -372,6 +415,7 @@ fn pages() {
         ("lines-1", |pages| lines(pages)),
         ("triangles-1", |pages| triangles(pages)),
         ("polygons-1", |pages| polygons(pages)),
+        ("paths-1", |pages| paths(pages)),
         ("rectangles-1", |pages| rectangles(pages)),
         ("text-1", |pages| text(pages)),
     ];
@@ -387,7 +431,7 @@ fn is_blessing() -> bool {
 
 /// Compares a picture with the one of that name; says what is wrong with it. With `BLESS=1`, writes it.
 fn compare(name: &str, picture: &Picture) -> Option<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let folder = path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
     let golden = folder.join(format!("{name}.png"));
     if is_blessing() {
         picture.write_png(&golden).expect("pictures can be written");

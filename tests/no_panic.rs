@@ -40,6 +40,10 @@ use embedded_raster::{
     surface::{paged_bytes, Counter, Paged},
     Angle, Bitmap, Canvas, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette,
     PixelFormat, Radii, Rect, Sector, Span, Steps, Surface, Vertex,
+    raster::{line, outline, polygon, rectangle, triangle},
+    surface::{paged_bytes, Counter, Paged},
+    Bitmap, Canvas, Cap, ClippedSpan, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path,
+    PathSegment, PixelFormat, Rect, Span, Steps, Stroke, Surface, Vertex,
 };
 use fixed::types::I24F8;
 use support::{memory::color, rng::Rng};
@@ -274,6 +278,46 @@ fn polygons() {
     }
 }
 
+fn wild_path(rng: &mut Rng) -> Vec<PathSegment> {
+    let mut v = || wild_vertex(rng);
+    let all = [
+        PathSegment::MoveTo(v()),
+        PathSegment::LineTo(v()),
+        PathSegment::QuadraticTo(v(), v()),
+        PathSegment::CubicTo(v(), v(), v()),
+        PathSegment::Close,
+    ];
+    (0..rng.index(6)).map(|_| rng.pick(&all)).collect()
+}
+
+fn wild_stroke(rng: &mut Rng) -> Stroke {
+    Stroke::new(I24F8::from_bits(wild(rng)))
+        .with_cap(rng.pick(&[Cap::Butt, Cap::Square, Cap::Round]))
+        .with_join(rng.pick(&[Join::Miter, Join::Bevel, Join::Round]))
+        .with_miter_limit(I24F8::from_bits(wild(rng)))
+}
+
+#[test]
+fn paths_and_strokes() {
+    let mut rng = Rng::new(115);
+    for i in 0..20_000 {
+        let segments = wild_path(&mut rng);
+        let (path, window) = (Path::new(&segments), small_window(&mut rng));
+        let mut table = vec![Edge::EMPTY; rng.index(40)];
+        let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
+        black_box(polygon::fill(path.contours_in(window), rule, window, &mut table, look).is_ok());
+        outline::draw(path, window, look);
+        let stroke = wild_stroke(&mut rng);
+        black_box(polygon::fill(stroke.of_path(path, window), rule, window, &mut table, look).is_ok());
+        // Dashes measure the whole way: not often.
+        if i % 100 == 0 {
+            let lengths: Vec<I24F8> = (0..rng.index(5)).map(|_| I24F8::from_bits(wild(&mut rng))).collect();
+            let dashed = stroke.dashed(&lengths, I24F8::from_bits(wild(&mut rng)));
+            black_box(polygon::fill(dashed.of_path(path, window), rule, window, &mut table, look).is_ok());
+        }
+    }
+}
+
 /// The number that a table is too small by, and every row, when the window is as high as the type.
 #[test]
 fn polygons_without_a_window() {
@@ -385,6 +429,11 @@ fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
     let mut table = vec![Edge::EMPTY; rng.index(9)];
     black_box(surface.fill_polygon(&outline, FillRule::NonZero, &mut table, color).is_ok());
     black_box(surface.fill_contours([&outline, &outline], FillRule::EvenOdd, &mut table, color).is_ok());
+    if rng.one_in(40) {
+        let segments = wild_path(rng);
+        black_box(surface.fill_path(Path::new(&segments), FillRule::NonZero, &mut table, color).is_ok());
+        surface.draw_path(Path::new(&segments), color);
+    }
 }
 
 fn reads<F: PixelFormat>(frame: &Framebuffer<'_, F>, rng: &mut Rng) {

@@ -5,7 +5,7 @@ use crate::{num::cast::saturate, rect::Rect};
 
 /// What may be seen: places in 24.8 units, all four sides included.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct View {
+pub(crate) struct View {
     x0: i32,
     y0: i32,
     x1: i32,
@@ -31,6 +31,11 @@ impl View {
                 || i64::from(p.min(q)).wrapping_sub(slack) > i64::from(high)
         };
         beside(a.0, b.0, self.x0, self.x1) || beside(a.1, b.1, self.y0, self.y1)
+    }
+
+    /// Its first corner and its last.
+    pub(crate) const fn corners(&self) -> [(i32, i32); 2] {
+        [(self.x0, self.y0), (self.x1, self.y1)]
     }
 
     pub(crate) fn holds(&self, v: Vertex) -> bool {

@@ -15,6 +15,7 @@
 pub mod arc;
 pub mod ellipse;
 pub mod flood;
+pub mod dash;
 pub mod line;
 pub mod outline;
 pub mod polygon;
@@ -28,6 +29,7 @@ mod edge;
 mod list;
 
 pub use arc::Sector;
+pub use dash::Dash;
 pub use edge::Edge;
 pub use ellipse::Ellipse;
 pub use polygon::FillRule;

@@ -155,7 +155,7 @@ impl<D: Dashing> Stroke<D> {
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
         let pen = self.pen(window);
         let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach, FINE) };
-        contours.flat_map(move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen.view), pen))
+        contours.flat_map(move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen))
     }
 
     /// The same of lines from each place to the next, and back to the first one if they are `closed`.
@@ -167,7 +167,7 @@ impl<D: Dashing> Stroke<D> {
     ) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
         let pen = self.pen(window);
         let sides = Sides::new(Polyline { places: places.iter(), closed }, pen.view);
-        Parts::new(self.dash.cut(sides, pen.view), pen)
+        Parts::new(self.dash.cut(sides, pen), pen)
     }
 }
 
@@ -179,7 +179,7 @@ pub(crate) use sealed::{Dashing as Sealed, Event, Start};
 impl<D: Sealed> Dashing for D {}
 
 mod sealed {
-    use super::{Direction, Vertex, View};
+    use super::{Direction, Pen, Vertex};
 
     /// What happens along a contour.
     #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -219,7 +219,7 @@ mod sealed {
         /// Whether what is not seen must be measured nevertheless.
         const LENGTH_MATTERS: bool;
         /// Cuts sides.
-        fn cut(self, sides: impl Iterator<Item = Event> + Clone, view: View) -> impl Iterator<Item = Event> + Clone;
+        fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, pen: Pen) -> impl Iterator<Item = Event> + Clone;
     }
 }
 
@@ -228,7 +228,7 @@ impl Sealed for () {
     const LENGTH_MATTERS: bool = false;
 
     #[inline]
-    fn cut(self, sides: impl Iterator<Item = Event> + Clone, _: View) -> impl Iterator<Item = Event> + Clone {
+    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, _: Pen) -> impl Iterator<Item = Event> + Clone {
         sides
     }
 }
@@ -249,8 +249,8 @@ const TURNS: [(u32, (i32, i32)); 9] = [
 
 /// A stroke in the units of its pieces.
 #[derive(Copy, Clone, Debug)]
-struct Pen {
-    width: u32,
+pub struct Pen {
+    pub(super) width: u32,
     cap: Cap,
     join: Join,
     /// Square of the miter limit, in 2^-16.
@@ -258,7 +258,7 @@ struct Pen {
     turn: (i32, i32),
     /// How far from its line it may paint.
     reach: u32,
-    view: View,
+    pub(super) view: View,
 }
 
 /// Something that has nodes.

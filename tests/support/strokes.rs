@@ -201,3 +201,87 @@ pub(crate) fn sides(outline: &Outline) -> Vec<Side> {
     }
     nodes.windows(2).map(|n| Side { a: n[0].0, b: n[1].0, u: direction(n[0].0, n[1].0), smooth: n[0].1 }).collect()
 }
+
+/// Lengths on and off, and how far into them a contour starts.
+#[derive(Clone, Debug)]
+pub(crate) struct Pattern {
+    pub(crate) lengths: Vec<i32>,
+    pub(crate) phase: i32,
+}
+
+impl Pen {
+    /// The pieces of dashed contours, dash by dash.
+    pub(crate) fn dashes(&self, outlines: &[Outline], pattern: &Pattern) -> Vec<Vec<Units>> {
+        let mut lengths: Vec<i128> = pattern.lengths.iter().map(|&n| i128::from(n.max(0)) << 8).collect();
+        if lengths.len() % 2 == 1 {
+            lengths.extend(lengths.clone());
+        }
+        let period: i128 = lengths.iter().sum();
+        if period < (1 << 12).max(i128::from(self.width) << 2) {
+            return self.parts(outlines);
+        }
+        outlines
+            .iter()
+            .flat_map(|o| self.dashed(o, &lengths, (i128::from(pattern.phase) << 8).rem_euclid(period)))
+            .collect()
+    }
+
+    fn dashed(&self, outline: &Outline, lengths: &[i128], phase: i128) -> Vec<Vec<Units>> {
+        // How far the present length reaches, from the start of the present side.
+        let (mut index, mut reach) = (0, lengths[0] - phase);
+        while reach < 0 || (reach == 0 && phase > 0 && lengths[index] > 0) {
+            index = (index + 1) % lengths.len();
+            reach += lengths[index];
+            if reach > 0 || lengths[index] == 0 && reach == 0 {
+                break;
+            }
+        }
+        let sides = sides(outline);
+        if sides.is_empty() {
+            let dot = if index % 2 == 0 { self.parts(std::slice::from_ref(outline)) } else { vec![] };
+            return dot;
+        }
+        let (mut parts, mut dash): (Vec<_>, Vec<Side>) = (vec![], vec![]);
+        for side in sides {
+            let length = length(side.a, side.b);
+            let place = |s: i128| {
+                let along = |from: i32, u: i128| {
+                    let n = u.abs() * s;
+                    let distance = (2 * n + (1 << 38)) >> 39;
+                    (i128::from(from) + u.signum() * distance).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+                };
+                if s == length {
+                    side.b
+                } else {
+                    (along(side.a.0, side.u.0), along(side.a.1, side.u.1))
+                }
+            };
+            let mut s = 0;
+            while s < length {
+                let end = reach.min(length);
+                if index % 2 == 0 {
+                    dash.push(Side { a: place(s), b: place(end), u: side.u, smooth: s == 0 && side.smooth });
+                }
+                s = end;
+                if s == reach {
+                    parts.extend(self.one_dash(&dash));
+                    dash.clear();
+                    index = (index + 1) % lengths.len();
+                    reach += lengths[index];
+                }
+            }
+            reach -= length;
+        }
+        parts.extend(self.one_dash(&dash));
+        parts
+    }
+
+    fn one_dash(&self, sides: &[Side]) -> Vec<Vec<Units>> {
+        let (Some(first), Some(last)) = (sides.first(), sides.last()) else { return vec![] };
+        let mut parts: Vec<_> = sides.iter().map(|side| self.side(side.a, side.b, side.u)).collect();
+        parts.extend(sides.windows(2).filter_map(|s| self.join(s[1].a, s[0].u, s[1].u, s[1].smooth)));
+        parts.extend(self.cap(first.a, back(first.u)));
+        parts.extend(self.cap(last.b, last.u));
+        parts
+    }
+}

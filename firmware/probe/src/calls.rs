@@ -4,10 +4,11 @@ use core::{convert::Infallible, slice};
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
-    pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888},
+    pixelcolor::{BinaryColor, Gray2, Gray8, Rgb565, Rgb888},
     prelude::DrawTarget,
     primitives::Rectangle,
 };
+use fixed::types::I24F8;
 use embedded_raster::{
     geom::{
         clip::{self, Part},
@@ -23,6 +24,8 @@ use embedded_raster::{
     surface::{Counter, Paged},
     Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, PixelFormat, Radii,
     Rect, Sector, Surface, Vertex,
+    Bitmap, Canvas, Edge, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment, PixelFormat, Rect, Stroke,
+    Surface, Vertex,
 };
 
 /// A framebuffer as a driver hands it over.
@@ -196,6 +199,46 @@ entry_points! {
     Rgb565: round16 flood16 clear16 area16 line16 triangle16 polygon16 set16 blit16 move16 read16 target16;
     Be<Rgb888>: round24 flood24 clear24 area24 line24 triangle24 polygon24 set24 blit24 move24 read24 target24;
     Xrgb8888: round32 flood32 clear32 area32 line32 triangle32 polygon32 set32 blit32 move32 read32 target32;
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn path_fill(m: &Memory, p: *const PathSegment, n: usize, e: *mut Edge, slots: usize) -> bool {
+    let (path, table) = (Path::new(slice::from_raw_parts(p, n)), slice::from_raw_parts_mut(e, slots));
+    let mut fits = false;
+    m.with::<Rgb565>(|frame, color| {
+        fits = frame.fill_path(path, FillRule::NonZero, table, color).is_ok();
+        frame.draw_path(path, color);
+    }) && fits
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn path_stroke(
+    m: &Memory,
+    p: *const PathSegment,
+    n: usize,
+    e: *mut Edge,
+    slots: usize,
+    stroke: &Stroke,
+    lengths: *const I24F8,
+    count: usize,
+    phase: i32,
+) -> bool {
+    let (path, table) = (Path::new(slice::from_raw_parts(p, n)), slice::from_raw_parts_mut(e, slots));
+    let dashed = stroke.dashed(slice::from_raw_parts(lengths, count), I24F8::from_bits(phase));
+    let mut fits = false;
+    m.with::<Index4>(|frame, color| {
+        fits = frame.stroke_path(path, stroke, table, color).is_ok();
+        fits &= frame.stroke_path(path, &dashed, table, color).is_ok();
+    }) && fits
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn line_stroke(m: &Memory, v: *const Vertex, n: usize, e: *mut Edge, slots: usize, stroke: &Stroke) -> bool {
+    let (places, table) = (slice::from_raw_parts(v, n), slice::from_raw_parts_mut(e, slots));
+    let mut fits = false;
+    m.with::<Gray8>(|frame, color| {
+        fits = frame.stroke_polyline(places, slots > 9, stroke, table, color).is_ok();
+    }) && fits
 }
 
 #[no_mangle]
