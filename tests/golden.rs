@@ -22,10 +22,8 @@ use embedded_raster::{
     pixel::{Xrgb8888, EGA},
     raster::flood::{Pending, Reach},
     surface::{paged_bytes, Bitmap, Paged},
-    Angle, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Radii,
-    Rect, Sector, Surface, Vertex,
-    Canvas, Cap, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path, PathSegment,
-    PixelFormat, Rect, Stroke, Surface, Vertex,
+    Angle, Canvas, Cap, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path,
+    PathSegment, PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::I24F8;

@@ -37,13 +37,10 @@ use embedded_raster::{
         flood::{Pending, Reach},
         line, polygon, rectangle, rounded, triangle,
     },
-    surface::{paged_bytes, Counter, Paged},
-    Angle, Bitmap, Canvas, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette,
-    PixelFormat, Radii, Rect, Sector, Span, Steps, Surface, Vertex,
     raster::{line, outline, polygon, rectangle, triangle},
     surface::{paged_bytes, Counter, Paged},
-    Bitmap, Canvas, Cap, ClippedSpan, Edge, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path,
-    PathSegment, PixelFormat, Rect, Span, Steps, Stroke, Surface, Vertex,
+    Angle, Bitmap, Canvas, Cap, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
+    Join, Palette, Path, PathSegment, PixelFormat, Radii, Rect, Sector, Span, Steps, Stroke, Surface, Vertex,
 };
 use fixed::types::I24F8;
 use support::{memory::color, rng::Rng};

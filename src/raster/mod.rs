@@ -13,9 +13,9 @@
 //! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
 
 pub mod arc;
+pub mod dash;
 pub mod ellipse;
 pub mod flood;
-pub mod dash;
 pub mod line;
 pub mod outline;
 pub mod polygon;
