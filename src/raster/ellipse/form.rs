@@ -73,8 +73,8 @@ impl<T: Number> Form<T> {
     #[inline(always)]
     pub(super) fn value(&self, u: i64, v: i64, bias: i64) -> T {
         let (u, v) = (T::of(u), T::of(v));
-        let k = self.shift as usize + 1;
-        let low = T::of((1 << k) - 1);
+        let k = (self.shift as usize).wrapping_add(1);
+        let low = T::of(2_i64.wrapping_shl(self.shift).wrapping_sub(1));
         let (uu, vv) = (u * u - self.aa, v * v);
         let rest = self.p * (uu & low) + self.q * (vv & low) - T::of(bias);
         self.p * (uu >> k) + self.q * (vv >> k) + (rest >> k)
@@ -83,14 +83,14 @@ impl<T: Number> Form<T> {
     /// What F gains from u to the next, and from v to the next.
     #[inline(always)]
     fn steps(&self, u: i64, v: i64) -> (T, T) {
-        let half = 1 << self.shift >> 1;
+        let half = 1_i64.wrapping_shl(self.shift) >> 1;
         (self.p * T::of(u.wrapping_add(half)), self.q * T::of(v.wrapping_add(half)))
     }
 
     /// What these gains themselves gain.
     #[inline(always)]
     fn second(&self) -> (T, T) {
-        let unit = T::of(1 << self.shift);
+        let unit = T::of(1_i64.wrapping_shl(self.shift));
         (self.p * unit, self.q * unit)
     }
 }
@@ -182,7 +182,7 @@ impl<T: Number> Rows<T> {
         let from = ellipse.middle().clamp(clip.x0, clip.x1);
         let max = |a: i32, b: i32| unsigned(b.wrapping_sub(a));
         let right = Follower::new(&form, (ellipse.u(from), v), 0, max(from, clip.x1));
-        let last = ellipse.u(from).wrapping_sub(1 << ellipse.shift).wrapping_neg();
+        let last = ellipse.u(from).wrapping_sub(1_i64.wrapping_shl(ellipse.shift)).wrapping_neg();
         let left = Follower::new(&form, (last, v), 1, max(clip.x0, from));
         Self { right, left, from, mirror: None }
     }

@@ -107,15 +107,14 @@ impl Ellipse {
     /// By numbers below 2^33, in units of `2^-shift` pixels.
     #[inline]
     fn scaled(centre: (i64, i64), radii: (i64, i64), shift: u32) -> Self {
-        let half = 1 << shift >> 1;
-        // The first pixel whose centre lies at or right of a place.
-        let pixel = |place: i64| saturate((place - half + (1 << shift) - 1) >> shift);
+        let pixel = |place: i64| first_pixel_from(place, shift);
         let extent = if radii.0 <= 0 || radii.1 <= 0 {
             Rect::new(0, 0, 0, 0)
         } else {
             // The one row below may hold centres on the lowest place of the curve, which are outside.
             let (x, y) = (centre.0, centre.1);
-            Rect::new(pixel(x - radii.0), pixel(y - radii.1), pixel(x + radii.0), pixel(y + radii.1))
+            let (low, high) = (i64::wrapping_sub, i64::wrapping_add);
+            Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
         };
         Self { centre, radii, shift, closed: false, extent }
     }
@@ -129,20 +128,19 @@ impl Ellipse {
     /// Distance of the centre of a column from the centre of the ellipse, in units.
     #[inline(always)]
     pub(super) fn u(&self, x: i32) -> i64 {
-        (i64::from(x) << self.shift) + (1 << self.shift >> 1) - self.centre.0
+        centre_of(x, self.shift).wrapping_sub(self.centre.0)
     }
 
     /// Distance of the centre of a row.
     #[inline(always)]
     pub(super) fn v(&self, y: i32) -> i64 {
-        (i64::from(y) << self.shift) + (1 << self.shift >> 1) - self.centre.1
+        centre_of(y, self.shift).wrapping_sub(self.centre.1)
     }
 
     /// The first column whose centre lies at or right of the centre.
     #[inline(always)]
     fn middle(&self) -> i32 {
-        let half = 1 << self.shift >> 1;
-        saturate((self.centre.0 - half + (1 << self.shift) - 1) >> self.shift)
+        first_pixel_from(self.centre.0, self.shift)
     }
 
     /// The narrowest numbers that its form fits into.
@@ -150,6 +148,26 @@ impl Ellipse {
     fn size(&self) -> Size {
         size_of(self.radii, self.shift)
     }
+}
+
+/// One unit less than a pixel, in units of `2^-shift` pixels, and half a pixel.
+#[inline(always)]
+fn unit(shift: u32) -> (i64, i64) {
+    let pixel = 1_i64.wrapping_shl(shift);
+    (pixel.wrapping_sub(1), pixel >> 1)
+}
+
+/// The centre of a pixel, in units.
+#[inline(always)]
+fn centre_of(pixel: i32, shift: u32) -> i64 {
+    i64::from(pixel).wrapping_shl(shift).wrapping_add(unit(shift).1)
+}
+
+/// The first pixel whose centre lies at or right of a place.
+#[inline(always)]
+fn first_pixel_from(place: i64, shift: u32) -> i32 {
+    let (most, half) = unit(shift);
+    saturate(place.wrapping_sub(half).wrapping_add(most).wrapping_shr(shift))
 }
 
 /// What the form of an ellipse is followed in.
@@ -163,7 +181,11 @@ pub(super) enum Size {
 /// The bounds are those of [`form::Form::value`] and of the steps, two steps outside of the curve.
 #[inline(always)]
 pub(super) fn size_of((a, b): (i64, i64), shift: u32) -> Size {
-    let small = if a == b { a <= 1 << 15 } else { shift == 1 && a < 1024 && b < 1024 && (a + 4) * (b + 4) < 92_681 };
+    let small = if a == b {
+        a <= 1 << 15
+    } else {
+        shift == 1 && a < 1024 && b < 1024 && a.wrapping_add(4).wrapping_mul(b.wrapping_add(4)) < 92_681
+    };
     let limit = if shift == 1 { 1 << 16 } else { (1 << 18) - 1024 };
     if small {
         Size::Small
