@@ -309,3 +309,30 @@ fn outlines_are_connected_and_close() {
     }
     assert!(farthest > 0.6, "{farthest} pixels at most: too easy");
 }
+
+/// Curves that break flatteners: a cusp (the speed is 0 in the middle), a loop, all control points in one place, control points
+/// on the ends, a curve that goes back on itself, control points 200 pixels outside of the window.
+#[test]
+fn curves_that_break_flatteners() {
+    let px = |x: i32, y: i32| (256 * x, 256 * y);
+    let window = Rect::new(-2, -2, 42, 34);
+    let curves = [
+        ("cusp", [px(4, 4), px(36, 28), px(4, 28), px(36, 4)]),
+        ("loop", [px(10, 28), px(60, 0), px(-20, 0), px(30, 28)]),
+        ("stacked", [px(9, 9), px(9, 9), px(9, 9), px(9, 9)]),
+        ("stacked on the start", [px(2, 3), px(2, 3), px(2, 3), px(30, 20)]),
+        ("straight", [px(2, 3), px(12, 8), px(22, 13), px(32, 18)]),
+        ("there and back", [px(2, 5), px(60, 5), px(-20, 5), px(30, 5)]),
+        ("far control points", [px(5, 5), px(-200, 230), px(240, 230), px(35, 5)]),
+    ];
+    for (name, [a, b, c, d]) in curves {
+        let path = [Piece::Move(a), Piece::Cubic(b, c, d)];
+        check_fill(&path, window);
+        let mut wanted = outline_pixels(&path).concat();
+        wanted.retain(|p| window.contains(p.0, p.1));
+        wanted.sort_unstable();
+        wanted.dedup();
+        assert_eq!(drawn(&path, window), wanted, "{name}");
+        assert!(!wanted.is_empty(), "{name} has no outline");
+    }
+}

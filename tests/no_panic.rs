@@ -35,9 +35,8 @@ use embedded_raster::{
     raster::{
         arc, ellipse,
         flood::{Pending, Reach},
-        line, polygon, rectangle, rounded, triangle,
+        line, outline, polygon, rectangle, rounded, triangle,
     },
-    raster::{line, outline, polygon, rectangle, triangle},
     surface::{paged_bytes, Counter, Paged},
     Angle, Bitmap, Canvas, Cap, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
     Join, Palette, Path, PathSegment, PixelFormat, Radii, Rect, Sector, Span, Steps, Stroke, Surface, Vertex,

@@ -74,7 +74,7 @@ impl<'a> Contour<'a> {
         self.closed
     }
 
-    #[inline]
+    #[inline(never)]
     pub(crate) fn next_node(&mut self) -> Option<Node> {
         if let Some(at) = self.start.take() {
             return Some(Node { at, smooth: false });
@@ -147,8 +147,8 @@ impl Curve {
 
     /// For a curve whose chords of one n-th are off by at most `bend / (4 n^2)`.
     fn new(x: Polynomial, y: Polynomial, bend: u64, shift: u32, whole: bool) -> Self {
-        let up = |n: u64, shift: u32| n.wrapping_add((1 << shift) - 1) >> shift;
-        let square = up(bend, shift.wrapping_add(2));
+        let shift_up = shift.wrapping_add(2);
+        let square = bend.wrapping_add(1_u64.wrapping_shl(shift_up).wrapping_sub(1)).wrapping_shr(shift_up);
         let root = square_root(square);
         let above = u64::from(root).wrapping_mul(u64::from(root)) < square;
         let n = NonZeroU32::new(root.wrapping_add(u32::from(above))).unwrap_or(NonZeroU32::MIN);
@@ -163,7 +163,7 @@ impl Curve {
             return None;
         }
         // The pieces as leaves of a tree: a branch that can be seen is asked for its smaller branches.
-        let branch = 1_u32 << (31 ^ left.leading_zeros());
+        let branch = 1_u32.wrapping_shl(31 ^ left.leading_zeros());
         let mut pieces = match self.done {
             _ if self.whole => 1,
             0 => branch,
@@ -183,7 +183,8 @@ impl Curve {
     /// How far from their chord that many pieces may lie, roundings included. D grows by less than an eighth where T(i) is
     /// not quite 2^20 i / n.
     fn slack(&self, pieces: u32) -> i64 {
-        (i64::from(pieces).wrapping_mul(i64::from(pieces)).wrapping_mul(9) << self.shift >> 3).wrapping_add(2)
+        (i64::from(pieces).wrapping_mul(i64::from(pieces)).wrapping_mul(9).wrapping_shl(self.shift) >> 3)
+            .wrapping_add(2)
     }
 
     fn at(&self, i: u32) -> Vertex {
@@ -221,6 +222,7 @@ impl Polynomial {
     ///
     /// `a t + b` is below 2^36 and `(a t + b) t + c` below 2^35, as it is the slope of a chord of the curve; times 2^20 and 2^40
     /// they are sums of 56 and 75 bits, and the third product is as large as the curve: 2^32 times 2^60.
+    #[inline(never)]
     fn at(self, t: u32) -> i32 {
         let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME);
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);

@@ -95,6 +95,7 @@ pub struct Contours<'a> {
 impl<'a> Iterator for Contours<'a> {
     type Item = Contour<'a>;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Contour<'a>> {
         while let [PathSegment::MoveTo(start), rest @ ..] = self.rest {
             (self.start, self.rest) = (*start, rest);

@@ -24,6 +24,7 @@ impl View {
     }
 
     /// Whether the box around two places, and `slack` units around it, lies on one side of the view.
+    #[inline(never)]
     pub(crate) fn hides(&self, a: Vertex, b: Vertex, slack: i64) -> bool {
         let (a, b) = (bits(a), bits(b));
         let beside = |p: i32, q: i32, low: i32, high: i32| {

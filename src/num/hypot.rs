@@ -23,7 +23,7 @@ pub(crate) fn square_root(n: u64) -> u32 {
 }
 
 /// `sqrt(x^2 + y^2)` rounded up, for sides below 2^40. Sides from 2^31 on lose low bits first, also rounded up.
-#[inline]
+#[inline(never)]
 pub(crate) fn length_above(x: u64, y: u64) -> u64 {
     let shift = 33_u32.saturating_sub((x | y).leading_zeros());
     let up = |n: u64| (n >> shift).wrapping_add(u64::from(shift != 0));

@@ -197,6 +197,7 @@ struct Cut<'a, S> {
 impl<S: Iterator<Item = Event>> Iterator for Cut<'_, S> {
     type Item = Event;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Event> {
         let Some(pattern) = self.pattern else { return self.sides.next() };
         loop {

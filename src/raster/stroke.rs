@@ -155,7 +155,8 @@ impl<D: Dashing> Stroke<D> {
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
         let pen = self.pen(window);
         let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach, FINE) };
-        contours.flat_map(move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen))
+        let stroke = move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen);
+        OneByOne { contours, stroke, parts: None }
     }
 
     /// The same of lines from each place to the next, and back to the first one if they are `closed`.
@@ -168,6 +169,32 @@ impl<D: Dashing> Stroke<D> {
         let pen = self.pen(window);
         let sides = Sides::new(Polyline { places: places.iter(), closed }, pen.view);
         Parts::new(self.dash.cut(sides, pen), pen)
+    }
+}
+
+/// The pieces of one contour after the other: a `flat_map` of half the size, as it has one end only.
+#[derive(Clone, Debug)]
+struct OneByOne<C, F, P> {
+    contours: C,
+    stroke: F,
+    parts: Option<P>,
+}
+
+impl<C, F, P> Iterator for OneByOne<C, F, P>
+where
+    C: Iterator,
+    F: FnMut(C::Item) -> P,
+    P: Iterator<Item = Part>,
+{
+    type Item = Part;
+
+    fn next(&mut self) -> Option<Part> {
+        loop {
+            if let Some(part) = self.parts.as_mut().and_then(Iterator::next) {
+                return Some(part);
+            }
+            self.parts = Some((self.stroke)(self.contours.next()?));
+        }
     }
 }
 
@@ -332,6 +359,7 @@ impl<O: Outline> Sides<O> {
 impl<O: Outline> Iterator for Sides<O> {
     type Item = Event;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Event> {
         while let Some(node) = self.outline.next_node() {
             match self.last.replace(node) {
@@ -378,6 +406,7 @@ impl<E: Iterator<Item = Event>> Parts<E> {
 impl<E: Iterator<Item = Event>> Iterator for Parts<E> {
     type Item = Part;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Part> {
         if let Some(part) = self.pending.take() {
             return Some(part);
@@ -417,12 +446,14 @@ impl<E: Iterator<Item = Event>> Iterator for Parts<E> {
 }
 
 impl Pen {
+    #[inline(never)]
     fn side(&self, a: Vertex, b: Vertex, u: Direction) -> Part {
         let (right, left) = (u.right().offset(self.width), u.right().back().offset(self.width));
         Part::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
     }
 
     /// The end of a side that goes this way.
+    #[inline(never)]
     fn cap(&self, at: Vertex, u: Option<Direction>) -> Option<Part> {
         let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
         let (r, l) = (right.offset(self.width), left.offset(self.width));
@@ -451,6 +482,7 @@ impl Pen {
         Some(self.wedge(at, from, to, if smooth { Join::Round } else { self.join }))
     }
 
+    #[inline(never)]
     fn wedge(&self, at: Vertex, from: Direction, to: Direction, join: Join) -> Part {
         let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));
         match join {
@@ -469,7 +501,7 @@ impl Pen {
     /// Where two offset borders meet, unless that is too far.
     fn tip(&self, from: Direction, to: Direction) -> Option<(i32, i32)> {
         // 1 + cos, of 31 bits.
-        let c = (1 << 30_i64) + (from.dot(to) >> 30);
+        let c = (from.dot(to) >> 30).wrapping_add(1 << 30);
         let near = c > 0 && u64::from(self.limit).wrapping_mul(magnitude(c)) >= 1 << 47;
         let c = NonZeroU32::new(low_u32(magnitude(c))).filter(|_| near)?;
         let reach = |p: i32, q: i32| {
@@ -501,6 +533,7 @@ impl Part {
 impl Iterator for Part {
     type Item = Vertex;
 
+    #[inline(never)]
     fn next(&mut self) -> Option<Vertex> {
         if self.done == 2 {
             if let Some(v) = self.fan.as_mut().and_then(Fan::next) {
