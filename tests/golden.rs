@@ -408,7 +408,7 @@ fn pages() {
     }
     let mut ram = vec![0; paged_bytes(WIDTH, HEIGHT)];
     let mut pages = Pages::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
-    let scenes: [(&str, Scene); 6] = [
+    let scenes: [(&str, Scene); 7] = [
         ("rounds-1", |pages| rounds(pages)),
         ("lines-1", |pages| lines(pages)),
         ("triangles-1", |pages| triangles(pages)),
