@@ -90,6 +90,7 @@ fn every_law(kind: &dyn Kind) {
     rows_read_out_are_their_pixels(kind);
     blits_are_their_pixels(kind);
     every_phase_of_a_blit(kind);
+    masks_are_their_pixels(kind);
     moves_are_their_pixels(kind);
     embedded_graphics_draws_pixels(kind);
     constructors_check(kind);
@@ -396,6 +397,30 @@ fn every_phase_of_a_blit(kind: &dyn Kind) {
                 twin.assert_same(&real, &|| format!("{width} pixels from {from} to {to}"));
             }
         }
+    }
+}
+
+/// Masks in both bit orders, from any pixel of a byte to any other, clipped on every side, with and without a background.
+fn masks_are_their_pixels(kind: &dyn Kind) {
+    let mut rng = Rng::new(65);
+    let formats = [Format::of::<Index1>(), Format::of::<Lsb0<Index1>>()];
+    for i in 0..600 {
+        let mut twin = picture(&mut rng, kind);
+        let (start, gap) = (rng.index(4), rng.pick(&[0, 1, 3]));
+        let mask = Naive::random(&mut rng, formats[i % 2], (40, 7), start, gap);
+        let mut real = twin.bytes.clone();
+        let off = rng.one_in(2).then(|| kind.format().random(&mut rng));
+        let colors = (kind.format().random(&mut rng), off);
+        let (part, clip) =
+            if i % 3 == 0 { (mask.window(), twin.window()) } else { (random_area(&mut rng), random_area(&mut rng)) };
+        let at = if rng.one_in(20) {
+            Point::new(rng.bits() as i32, rng.pick(&[i32::MIN, i32::MAX, 0]))
+        } else {
+            Point::new(rng.int(-20, 40), rng.int(-5, 7))
+        };
+        kind.open(&twin, &mut real).clipped(clip).blit_mask(at, &mask, part, colors.0, colors.1);
+        twin.blit_mask(clip, at, &mask, part, colors);
+        twin.assert_same(&real, &|| format!("{part:?} of a mask at {at} in {clip:?}, {colors:?}"));
     }
 }
 

@@ -283,6 +283,11 @@ fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>
         frame.blit(wild_point(rng), source);
         frame.blit_keyed(wild_point(rng), source, key);
     }
+    let bytes: [u8; 27] = std::array::from_fn(|_| rng.bits() as u8);
+    if let Ok(mask) = Bitmap::<Index1>::with_stride(&bytes, 20, 9, 3) {
+        let off = rng.one_in(2).then_some(key);
+        frame.blit_mask(wild_point(rng), &mask.part(wild_rect(rng)), key, off);
+    }
     frame.move_area(wild_rect(rng), wild_point(rng));
     frame.move_area_keyed(wild_rect(rng), wild_point(rng), key);
     frame.set(wild_point(rng), key);

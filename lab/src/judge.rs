@@ -1,10 +1,14 @@
 //! What an engine painted against the truth.
 
+use std::convert::Infallible;
+
+use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
+
 use crate::{
-    engine::{triangles::given, Engine},
+    engine::{memory, triangles::given, Engine},
     frame::{Mask, HEIGHT, WIDTH, WINDOW},
     oracle::{polygon_has, sides_on_row, triangle_has, TrueLine},
-    shape::{Line, Polygon, Triangle, Units, ONE},
+    shape::{Job, Line, Polygon, Triangle, Units, ONE, SPRITE},
     workload::Mesh,
 };
 
@@ -134,6 +138,67 @@ impl Judge for Polygon {
     }
 }
 
+/// Keeps which pixels are painted, one by one: the truth of text is what its own library sets pixel by pixel.
+struct Pixels(Vec<bool>);
+
+impl OriginDimensions for Pixels {
+    fn size(&self) -> Size {
+        Size::new(WIDTH as u32, HEIGHT as u32)
+    }
+}
+
+impl DrawTarget for Pixels {
+    type Color = BinaryColor;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(p, color) in pixels.into_iter().filter(|pixel| WINDOW.contains(pixel.0.x, pixel.0.y)) {
+            self.0[(p.y * WIDTH + p.x) as usize] = color.is_on();
+        }
+        Ok(())
+    }
+}
+
+impl Judge for Job {
+    type Truth = Mask;
+
+    fn truth(&self) -> Mask {
+        let sprite = |at: Point, x: i32, y: i32| {
+            let inside = (0..SPRITE).contains(&(x - at.x)) && (0..SPRITE).contains(&(y - at.y));
+            inside && Self::sprite_has(x - at.x, y - at.y)
+        };
+        let all = |has: &dyn Fn(i32, i32) -> bool| {
+            Mask::from_pixels((0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| has(x, y)))
+        };
+        match self {
+            Self::BitLine(line) => {
+                let pixels = line.truth();
+                all(&|x, y| pixels.contains(&(x, y)))
+            }
+            Self::BitRectangle(area) => all(&|x, y| area.contains(x, y)),
+            Self::BitTriangle(triangle) => triangle_mask(given("canvas", triangle)),
+            Self::Blit(at) | Self::BlitKeyed(at) => all(&|x, y| sprite(*at, x, y)),
+            Self::Text(at) | Self::Glyphs(at) => {
+                let mut pixels = Pixels(vec![false; (WIDTH * HEIGHT) as usize]);
+                memory::text(&mut pixels, *at, BinaryColor::On, BinaryColor::Off);
+                Mask::from_pixels(pixels.0.into_iter())
+            }
+        }
+    }
+
+    fn pixels(truth: &Mask) -> usize {
+        count(truth)
+    }
+
+    fn verdict(&self, truth: &Mask, key: &str, painted: &Mask) -> Verdict {
+        if let Self::BitLine(line) = self {
+            return line.verdict(&line.truth(), key, painted);
+        }
+        let wrong = differences(truth, painted);
+        Verdict { pixels: count(truth), wrong, wrong_as_given: wrong, worst: 0.0 }
+    }
+}
+
 /// Pixels of the screen that no triangle of a mesh painted, and pixels that several did.
 #[derive(Copy, Clone, Debug, Default)]
 pub(crate) struct Cover {
@@ -183,6 +248,7 @@ mod tests {
         for key in ["walk0", "walk4", "walk8", "fill", "canvas"] {
             assert_eq!(errors(engine::triangles::entries(), &workload::triangles(true), key), 0, "triangles by {key}");
         }
+        assert_eq!(errors(engine::memory::entries(), &workload::memory(true), "canvas"), 0, "blits, text, one bit");
         for key in ["fill", "canvas"] {
             assert_eq!(errors(engine::polygons::entries(), &workload::polygons(true), key), 0, "polygons by {key}");
         }

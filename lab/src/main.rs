@@ -31,7 +31,7 @@ use crate::{
     bench::{Family, Results},
     cost::Counter,
     report::{Covers, Report},
-    shape::{Line, Polygon, Triangle},
+    shape::{Job, Line, Polygon, Triangle},
 };
 
 const HELP: &str = "\
@@ -88,12 +88,17 @@ fn polygons(quick: bool) -> Family<Polygon> {
     Family { key: "polygons", title: "Polygons", entries, workloads }
 }
 
+fn memory(quick: bool) -> Family<Job> {
+    Family { key: "memory", title: "Memory", entries: engine::memory::entries(), workloads: workload::memory(quick) }
+}
+
 /// Draws what callgrind is to count.
 fn child(name: &str, quick: bool) -> Result<()> {
     let known = match name.split('/').next() {
         Some("lines") => lines(quick).child(name),
         Some("triangles") => triangles(quick).child(name),
         Some("polygons") => polygons(quick).child(name),
+        Some("memory") => memory(quick).child(name),
         _ => false,
     };
     if !known {
@@ -122,8 +127,8 @@ fn covers(quick: bool, bar: &ProgressBar) -> Covers {
 fn measure(options: &Options) -> Result<Report> {
     let quick = options.quick;
     let counter = if options.count { Counter::find(quick) } else { None };
-    let (lines, triangles, polygons) = (lines(quick), triangles(quick), polygons(quick));
-    let children = [lines.children(), triangles.children(), polygons.children()].concat();
+    let (lines, triangles, polygons, memory) = (lines(quick), triangles(quick), polygons(quick), memory(quick));
+    let children = [lines.children(), triangles.children(), polygons.children(), memory.children()].concat();
     let meshes = triangles.entries.len() * workload::meshes(true).len();
     let steps = children.len() * if counter.is_some() { 2 } else { 1 } + meshes;
     let bar = ProgressBar::new(steps as u64);
@@ -134,6 +139,7 @@ fn measure(options: &Options) -> Result<Report> {
         triangles: triangles.run(&counts, quick, &bar),
         covers: covers(quick, &bar),
         polygons: polygons.run(&counts, quick, &bar),
+        memory: memory.run(&counts, quick, &bar),
         valgrind: counter.map(|c| c.version),
         quick,
     };

@@ -19,6 +19,7 @@ pub(crate) struct Report {
     pub(crate) triangles: Results,
     pub(crate) covers: Covers,
     pub(crate) polygons: Results,
+    pub(crate) memory: Results,
     pub(crate) valgrind: Option<String>,
     pub(crate) quick: bool,
 }
@@ -136,6 +137,7 @@ impl Report {
         text.push_str(&self.lines_part(plots));
         text.push_str(&self.triangles_part(plots));
         text.push_str(&self.polygons_part(plots));
+        text.push_str(&self.memory_part());
         text.push_str(NOTES);
         text
     }
@@ -193,6 +195,16 @@ impl Report {
             picture(&self.polygons, plots),
             family(&self.polygons, per_pixel),
             family(&self.polygons, |c| digits(c.verdict.wrong_per_million())),
+        )
+    }
+
+    fn memory_part(&self) -> String {
+        format!(
+            "## Memory\n\nBlits and text at 16 bits per pixel, shapes at one. Instructions per pixel (time per pixel); of \
+             pictures and text only what is not background counts as a pixel:\n\n{}\n\
+             Wrong pixels per million:\n\n{}\n",
+            family(&self.memory, per_pixel),
+            family(&self.memory, |c| digits(c.verdict.wrong_per_million())),
         )
     }
 }

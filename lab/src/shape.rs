@@ -1,7 +1,7 @@
 //! Shapes, each in the words of every engine: made ready beforehand, so that only drawing is measured.
 
 use embedded_graphics::geometry::Point;
-use embedded_raster::Vertex;
+use embedded_raster::{Rect, Vertex};
 use tiny_skia::{Path, PathBuilder};
 
 /// Fractional bits of the true shapes: finer than any engine keeps, and still exact in an `f32` up to 512 pixels.
@@ -120,6 +120,35 @@ impl Polygon {
         let units: Vec<_> = units.into_iter().map(|u| snap(u, 8)).collect();
         let floats: Vec<_> = units.iter().copied().map(float).collect();
         Self { vertices: units.iter().map(|&u| vertex(u, 8)).collect(), path: path(&floats), floats, units }
+    }
+}
+
+/// Columns and rows of the picture of the blits.
+pub(crate) const SPRITE: i32 = 64;
+
+/// What memory is filled with otherwise than by shapes at 16 bits.
+#[derive(Clone, Debug)]
+pub(crate) enum Job {
+    /// At one bit per pixel.
+    BitLine(Line),
+    BitRectangle(Rect),
+    BitTriangle(Triangle),
+    /// A picture with its top left pixel here, its holes black.
+    Blit(Point),
+    /// The same, its holes transparent.
+    BlitKeyed(Point),
+    /// A label with its background, drawn by embedded-graphics on whatever target; only the letters count as pixels.
+    Text(Point),
+    /// The same label, drawn by this crate as masks of one bit.
+    Glyphs(Point),
+}
+
+impl Job {
+    /// Whether the picture has ink in this place: a ring.
+    pub(crate) const fn sprite_has(x: i32, y: i32) -> bool {
+        let (dx, dy) = (2 * x + 1 - SPRITE, 2 * y + 1 - SPRITE);
+        let distance = dx * dx + dy * dy;
+        distance < SPRITE * SPRITE && 4 * distance > SPRITE * SPRITE
     }
 }
 

@@ -2,10 +2,13 @@
 
 use std::f64::consts::TAU;
 
+use embedded_graphics::geometry::Point;
+use embedded_raster::Rect;
+
 use crate::{
     frame::{HEIGHT, WIDTH},
     rng::Rng,
-    shape::{Line, Polygon, Triangle, Units, ONE},
+    shape::{Job, Line, Polygon, Triangle, Units, ONE, SPRITE},
 };
 
 /// A list of shapes of one kind. The first `timed` of them are enough to measure cost; error is judged on all.
@@ -167,6 +170,7 @@ pub(crate) fn polygons(quick: bool) -> Vec<Workload<Polygon>> {
     vec![
         Workload::new("star, 10 vertices", (12.min(count), count), false, |rng| star(rng, 114.0, 10)),
         Workload::new("outline, 200 vertices", (4, count / 2), false, |rng| star(rng, 91.0, 200)),
+        Workload::new("outline, 2,000 vertices", (1, count / 10), false, |rng| star(rng, 91.0, 2_000)),
         Workload::new("comb, teeth of 1 to 40/256 px", (2, count / 10), false, comb),
         Workload::new("100 x off-screen", (12.min(count), count), true, |rng| star(rng, f64::from(FAR), 10)),
     ]
@@ -204,6 +208,25 @@ fn comb(rng: &mut Rng) -> Polygon {
     }
     outline.push((x, top));
     Polygon::new(outline)
+}
+
+/// Memory at 16 bits and at one.
+pub(crate) fn memory(quick: bool) -> Vec<Workload<Job>> {
+    let count = judged(100, quick);
+    let label = |rng: &mut Rng| Point::new(rng.int(0, 150), rng.int(10, HEIGHT - 10));
+    let near = |rng: &mut Rng| Point::new(rng.int(0, WIDTH - SPRITE), rng.int(0, HEIGHT - SPRITE));
+    vec![
+        Workload::new("lines, 1 bit", (40, count), false, |rng| Job::BitLine(screen_line(rng))),
+        Workload::new("rectangles, 1 bit", (40, count), false, |rng| {
+            let (x, y) = (rng.int(0, 60), rng.int(0, 60));
+            Job::BitRectangle(Rect::new(x, y, x + rng.int(150, 250), y + rng.int(100, 170)))
+        }),
+        Workload::new("triangles of 20,000 px, 1 bit", (12, count), false, |rng| Job::BitTriangle(large_triangle(rng))),
+        Workload::new("blit 64 x 64", (40, count), false, |rng| Job::Blit(near(rng))),
+        Workload::new("blit 64 x 64, colour key", (40, count), false, |rng| Job::BlitKeyed(near(rng))),
+        Workload::new("opaque text", (12, count), false, |rng| Job::Text(label(rng))),
+        Workload::new("opaque text as masks", (12, count), false, |rng| Job::Glyphs(label(rng))),
+    ]
 }
 
 /// Triangles that cover every pixel of the screen exactly once, if their shared sides are drawn by one of them only.

@@ -18,11 +18,12 @@
 //! conversions from and to its raw data.
 //!
 //! Runs of pixels are written here too: `packed` knows bytes that hold several pixels, `word` pixels that take whole bytes,
-//! and `walk` the steps of lines.
+//! `walk` the steps of lines, and `mask` pictures of one bit in two colours.
 
 use embedded_graphics_core::pixelcolor::{raw::RawData, PixelColor};
 
 mod color;
+pub(crate) mod mask;
 pub(crate) mod packed;
 mod palette;
 pub(crate) mod scan;

@@ -133,6 +133,32 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
         });
     }
 
+    /// Paints a picture of one bit per pixel in two colours: `on` where a bit is set, and `off` elsewhere, or nothing if that
+    /// is `None`. Glyphs and icons are such pictures. What lies outside is clipped.
+    /// ```
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
+    /// use embedded_raster::{Bitmap, Framebuffer, Index4};
+    /// let arrow = Bitmap::<BinaryColor>::new(&[0b0100_0000, 0b1110_0000], 3, 2)?;
+    /// let mut ram = [0; 2 * 2];
+    /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 4, 2)?;
+    /// frame.blit_mask(Point::new(1, 0), &arrow, Index4::new(9), None);
+    /// assert_eq!(ram, [0x00, 0x90, 0x09, 0x99]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    pub fn blit_mask<M: PixelFormat>(
+        &mut self,
+        at: Point,
+        mask: &Bitmap<'_, M>,
+        on: F::Color,
+        off: impl Into<Option<F::Color>>,
+    ) {
+        const { assert!(M::BITS == 1, "a mask has one bit per pixel") };
+        let colors = (F::pack(on), off.into().map(F::pack));
+        self.blit_rows(at, mask, |memory, to, from, n| {
+            pixel::mask::draw::<F, M>(memory, to, mask.memory, from, n, colors);
+        });
+    }
+
     /// Moves the pixels of `area` so that its top left one falls on `to`; both may overlap. What the area leaves keeps its
     /// colours, what lies outside before or after is left out: scrolling by one row is `move_area(whole, (0, -1))`.
     pub fn move_area(&mut self, area: Rect, to: Point) {
@@ -149,10 +175,10 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
 
     /// Calls `copy` with memory, first byte and pixel of the row here, the same of the source, and a count, for each row.
     #[inline(always)]
-    fn blit_rows(
+    fn blit_rows<S: PixelFormat>(
         &mut self,
         at: Point,
-        source: &Bitmap<'_, F>,
+        source: &Bitmap<'_, S>,
         copy: impl Fn(&mut [u8], (usize, usize), (usize, usize), usize),
     ) {
         let Some(plan) = Plan::new(self.window(), at, source.window) else { return };

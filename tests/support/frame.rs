@@ -12,8 +12,9 @@ use embedded_graphics_core::{
     Pixel,
 };
 use embedded_raster::{
-    buffer_bytes, pixel::row_bytes, Bitmap, Canvas, Edge, Error, FillRule, Framebuffer, PixelFormat, Rect, Span,
-    Surface,
+    buffer_bytes,
+    pixel::{row_bytes, Lsb0},
+    Bitmap, Canvas, Edge, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
 };
 
 use super::{
@@ -127,6 +128,8 @@ pub(crate) trait Frame {
     fn as_bitmap(&self, p: Point) -> (Option<u32>, Rect, Size);
 
     fn blit(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>);
+    /// `mask` holds pixels of one bit, the first in the low bit of its bytes if `lsb0`.
+    fn blit_mask(&mut self, at: Point, mask: &Naive, part: Rect, on: u32, off: Option<u32>);
     fn move_area(&mut self, area: Rect, to: Point, key: Option<u32>);
 
     fn draw_iter(&mut self, pixels: &[(Point, u32)]);
@@ -257,6 +260,15 @@ impl<F: PixelFormat> Frame for Framebuffer<'_, F> {
         match key {
             Some(key) => Framebuffer::blit_keyed(self, at, &source, F::unpack(key)),
             None => Framebuffer::blit(self, at, &source),
+        }
+    }
+
+    fn blit_mask(&mut self, at: Point, mask: &Naive, part: Rect, on: u32, off: Option<u32>) {
+        let (on, off) = (F::unpack(on), off.map(F::unpack));
+        if mask.format.lsb0 {
+            Framebuffer::blit_mask(self, at, &mask.bitmap::<Lsb0<Index1>>().part(part), on, off);
+        } else {
+            Framebuffer::blit_mask(self, at, &mask.bitmap::<Index1>().part(part), on, off);
         }
     }
 

@@ -12,7 +12,7 @@ use super::rng::Rng;
 pub(crate) struct Format {
     pub(crate) name: &'static str,
     pub(crate) bits: usize,
-    lsb0: bool,
+    pub(crate) lsb0: bool,
     /// The bits of the colour of some bits: without those that no colour has, such as the sixteenth of `Rgb555`.
     color: fn(u32) -> u32,
 }
@@ -143,11 +143,21 @@ impl Naive {
     /// The pixels of `source` in `part`, the top left one at `at`, except those of the colour `key`; only inside `clip`.
     pub(crate) fn blit(&mut self, clip: Rect, at: Point, source: &Self, part: Rect, key: Option<u32>) {
         let part = part.intersection(source.window());
+        self.put(clip, at, part, |x, y| source.get(x, y).filter(|&color| key != Some(color)));
+    }
+
+    /// The pixels of a mask in `part`, the top left one at `at`: those that are set in one colour, the others in another or
+    /// not at all; only inside `clip`.
+    pub(crate) fn blit_mask(&mut self, clip: Rect, at: Point, mask: &Self, part: Rect, (on, off): (u32, Option<u32>)) {
+        let part = part.intersection(mask.window());
+        self.put(clip, at, part, |x, y| if mask.get(x, y) == Some(1) { Some(on) } else { off });
+    }
+
+    fn put(&mut self, clip: Rect, at: Point, part: Rect, color: impl Fn(i32, i32) -> Option<u32>) {
         for (x, y) in pixels(part) {
-            let color = source.get(x, y).expect("inside");
             let to = |at: i32, n: i32, from: i32| i32::try_from(i64::from(at) + i64::from(n) - i64::from(from));
             let (Ok(to_x), Ok(to_y)) = (to(at.x, x, part.x0), to(at.y, y, part.y0)) else { continue };
-            if clip.contains(to_x, to_y) && key != Some(color) {
+            if let Some(color) = color(x, y).filter(|_| clip.contains(to_x, to_y)) {
                 self.set(to_x, to_y, color);
             }
         }

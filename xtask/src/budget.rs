@@ -5,7 +5,7 @@
 //!  instructions;m4;3;clear;rgb565;7668.1      of one workload of this crate
 //!  stack;m4;3;map;index4;512                  bytes, of a whole frame
 //!  flash;m0;s;line;;600                       bytes of code and constants of a firmware in size/, beyond the empty one
-//!  stack;m0;s;line;;120                       and its stack
+//!  stack;m0;s;line;;120                       and its stack, summed from the frames
 //! ```
 
 use std::collections::BTreeMap;
@@ -44,7 +44,7 @@ pub fn measure() -> Result<Budgets> {
         for feature in size::features(chip, Opt::Small)?.iter().filter(|feature| !feature.name.starts_with("eg_")) {
             let name = format!("{name};s;{};", feature.name);
             all.insert(format!("flash;{name}"), (feature.text + feature.rodata) as f64);
-            all.insert(format!("stack;{name}"), feature.stack.into());
+            all.insert(format!("stack;{name}"), feature.frames as f64);
         }
     }
     Ok(all)

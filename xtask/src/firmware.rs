@@ -1,6 +1,7 @@
 //! Building one program for one chip.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::str::FromStr;
 
 use anyhow::{bail, Context, Error, Result};
@@ -72,20 +73,33 @@ pub fn project() -> &'static Path {
 
 /// Builds a program and returns where its ELF is.
 pub fn build(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<PathBuf> {
-    Ok(cargo_build(program.package, &["--bin", program.bin], chip, opt)?.join(program.bin))
+    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    cargo.args(["--bin", program.bin]);
+    Ok(cargo_build(cargo, program.package, &root().join("target"), chip, opt)?.join(program.bin))
 }
 
 /// Builds all programs of a package, with some of its features, and returns the folder of the ELFs.
 pub fn build_all(package: &str, features: &[&str], chip: Chip, opt: Opt) -> Result<PathBuf> {
-    cargo_build(package, &["--bins", "--features", &features.join(",")], chip, opt)
+    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    cargo.args(["--bins", "--features", &features.join(",")]);
+    cargo_build(cargo, package, &root().join("target"), chip, opt)
 }
 
-fn cargo_build(package: &str, what: &[&str], chip: Chip, opt: Opt) -> Result<PathBuf> {
-    let target_dir = root().join("target");
+/// Builds all programs of a package with what [`frames`](crate::frames) reads, in a folder of their own, and returns it.
+pub fn build_with_frames(package: &str, chip: Chip, opt: Opt) -> Result<PathBuf> {
+    let target_dir = root().join("target/frames");
     let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
-    cargo.args(["--quiet", "--package", package, "--profile", opt.profile()]).args(what);
+    // Beside the flags of .cargo/config.toml. One of them is unstable.
+    let flags = format!("target.{}.rustflags=['-Zemit-stack-sizes', '-Clink-arg=--emit-relocs']", chip.target());
+    cargo.args(["--bins", "--config", &flags]).env("RUSTC_BOOTSTRAP", "1");
+    cargo_build(cargo, package, &target_dir, chip, opt)
+}
+
+/// Builds into a folder, and returns that of the ELFs.
+fn cargo_build(mut cargo: Command, package: &str, target_dir: &Path, chip: Chip, opt: Opt) -> Result<PathBuf> {
+    cargo.args(["--quiet", "--package", package, "--profile", opt.profile()]);
     // Its folder matters: there is the configuration with the linker scripts.
-    cargo.arg("--target-dir").arg(&target_dir).current_dir(root());
+    cargo.arg("--target-dir").arg(target_dir).current_dir(root());
     let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
     if !status.success() {
         bail!("{package} does not build for {chip}: cargo ended with {status}");

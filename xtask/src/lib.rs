@@ -6,6 +6,7 @@
 //!    |
 //!  firmware    cargo build  ---> ELF ---> size: bytes of flash and RAM
 //!    |                            |
+//!    |                            |      frames: its deepest stack
 //!    |                            |      symbols: what must not be linked
 //!    |                            |
 //!  emulator                      QEMU ---> output ---> table: instructions per pixel
@@ -18,6 +19,7 @@ pub mod checks;
 pub mod chip;
 pub mod emulator;
 pub mod firmware;
+pub mod frames;
 pub mod readme;
 pub mod scene;
 pub mod size;

@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use object::{Object, ObjectSection, ObjectSymbol};
 
 use crate::firmware::{self, Opt};
-use crate::{emulator, Chip};
+use crate::{emulator, frames, Chip};
 
 /// The package of the programs.
 pub(crate) const PACKAGE: &str = "size";
@@ -83,6 +83,8 @@ pub struct Feature {
     pub ram: i64,
     /// Bytes of stack, painted.
     pub stack: u32,
+    /// Bytes of stack beyond the empty program, summed from the sizes of the frames.
+    pub frames: i64,
 }
 
 /// Measures all programs, the empty one first.
@@ -92,10 +94,14 @@ pub fn features(chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
     let folder = firmware::build_all(PACKAGE, &[], chip, opt)?;
     let sections = names.iter().map(|name| Sections::of(&folder.join(name))).collect::<Result<Vec<_>>>()?;
     let empty = Sections::of(&folder.join(EMPTY))?;
+    let with_frames = firmware::build_with_frames(PACKAGE, chip, opt)?;
+    let empty_frames = frames::deepest(&with_frames.join(EMPTY))? as i64;
     let folder = firmware::build_all(PACKAGE, &["stack"], chip, opt)?;
     let measure = |(name, sections): (&String, Sections)| {
         let [text, rodata, ram] = sections.beyond(if name == EMPTY { Sections::default() } else { empty });
-        Ok(Feature { name: name.clone(), text, rodata, ram, stack: stack(chip, &folder.join(name))? })
+        let stack = stack(chip, &folder.join(name))?;
+        let frames = frames::deepest(&with_frames.join(name))? as i64 - if name == EMPTY { 0 } else { empty_frames };
+        Ok(Feature { name: name.clone(), text, rodata, ram, stack, frames })
     };
     names.iter().zip(sections).map(measure).collect()
 }
@@ -108,9 +114,11 @@ fn stack(chip: Chip, elf: &Path) -> Result<u32> {
 
 /// A Markdown table of all programs: the empty one as it is, the others beyond it.
 pub fn markdown(features: &[Feature]) -> String {
-    let mut text = String::from("| program | .text | .rodata | static RAM | stack |\n|---|---:|---:|---:|---:|\n");
-    for Feature { name, text: code, rodata, ram, stack } in features {
-        text += &format!("| {name} | {code} | {rodata} | {ram} | {stack} |\n");
+    let mut text = String::from(
+        "| program | .text | .rodata | static RAM | stack, painted | stack, summed |\n|---|---:|---:|---:|---:|---:|\n",
+    );
+    for Feature { name, text: code, rodata, ram, stack, frames } in features {
+        text += &format!("| {name} | {code} | {rodata} | {ram} | {stack} | {frames} |\n");
     }
     text
 }

@@ -51,7 +51,7 @@ fn vertex([x, y]: [i32; 2]) -> Vertex {
 }
 
 macro_rules! entry_points {
-    ($($format:ty: $clear:ident $area:ident $line:ident $triangle:ident $polygon:ident $set:ident $blit:ident $move:ident $read:ident $target:ident;)*) => {$(
+    ($($format:ty: $clear:ident $area:ident $line:ident $triangle:ident $polygon:ident $set:ident $blit:ident $mask:ident $move:ident $read:ident $target:ident;)*) => {$(
         #[no_mangle]
         pub unsafe extern "C" fn $clear(m: &Memory) -> bool {
             m.with::<$format>(|frame, color| frame.clear(color))
@@ -98,6 +98,20 @@ macro_rules! entry_points {
             })
         }
         #[no_mangle]
+        pub unsafe extern "C" fn $mask(m: &Memory, s: &Memory, at: [i32; 2], opaque: bool, lsb0: bool) -> bool {
+            let (bytes, at) = (slice::from_raw_parts(s.bytes, s.len), Point::new(at[0], at[1]));
+            m.with::<$format>(|frame, color| {
+                let off = opaque.then(|| <$format>::unpack(s.color));
+                if lsb0 {
+                    if let Ok(mask) = Bitmap::<Lsb0<Index1>>::with_stride(bytes, s.width, s.height, s.stride) {
+                        frame.blit_mask(at, &mask.part(s.area()), color, off);
+                    }
+                } else if let Ok(mask) = Bitmap::<BinaryColor>::with_stride(bytes, s.width, s.height, s.stride) {
+                    frame.blit_mask(at, &mask.part(s.area()), color, off);
+                }
+            })
+        }
+        #[no_mangle]
         pub unsafe extern "C" fn $move(m: &Memory, at: [i32; 2], keyed: bool) -> bool {
             let at = Point::new(at[0], at[1]);
             m.with::<$format>(|frame, color| match keyed {
@@ -130,13 +144,13 @@ macro_rules! entry_points {
 }
 
 entry_points! {
-    Index1: clear1 area1 line1 triangle1 polygon1 set1 blit1 move1 read1 target1;
-    Lsb0<Gray2>: clear2 area2 line2 triangle2 polygon2 set2 blit2 move2 read2 target2;
-    Index4: clear4 area4 line4 triangle4 polygon4 set4 blit4 move4 read4 target4;
-    Index8: clear8 area8 line8 triangle8 polygon8 set8 blit8 move8 read8 target8;
-    Rgb565: clear16 area16 line16 triangle16 polygon16 set16 blit16 move16 read16 target16;
-    Be<Rgb888>: clear24 area24 line24 triangle24 polygon24 set24 blit24 move24 read24 target24;
-    Xrgb8888: clear32 area32 line32 triangle32 polygon32 set32 blit32 move32 read32 target32;
+    Index1: clear1 area1 line1 triangle1 polygon1 set1 blit1 mask1 move1 read1 target1;
+    Lsb0<Gray2>: clear2 area2 line2 triangle2 polygon2 set2 blit2 mask2 move2 read2 target2;
+    Index4: clear4 area4 line4 triangle4 polygon4 set4 blit4 mask4 move4 read4 target4;
+    Index8: clear8 area8 line8 triangle8 polygon8 set8 blit8 mask8 move8 read8 target8;
+    Rgb565: clear16 area16 line16 triangle16 polygon16 set16 blit16 mask16 move16 read16 target16;
+    Be<Rgb888>: clear24 area24 line24 triangle24 polygon24 set24 blit24 mask24 move24 read24 target24;
+    Xrgb8888: clear32 area32 line32 triangle32 polygon32 set32 blit32 mask32 move32 read32 target32;
 }
 
 #[no_mangle]

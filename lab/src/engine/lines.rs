@@ -28,7 +28,7 @@ pub(crate) fn entries() -> Vec<Entry<Line>> {
         entry("bresenham-moved", "Bresenham, moved", Textbook, plain(|f, l: &Line| moved(f, l, bresenham))),
         entry("steps", "`line::clip`, pixel by pixel", Crate, plain(|f, l: &Line| steps(f, l.a, l.b))),
         entry("canvas", "`Canvas::draw_line`", Crate, own(|f, l: &Line| f.draw_line(l.a, l.b, ink()))),
-        entry("eg", "embedded-graphics", Peer, peers::graphics(|f, l: &Line| peers::line(f, l.a, l.b))),
+        entry("eg", "embedded-graphics", Peer, peers::graphics(|f, l: &Line| peers::line(f, l.a, l.b, ink()))),
         entry("skia", "tiny-skia, hairline", Peer, peers::skia(|p, l: &Line| peers::hairline(p, l.path.as_ref()))),
     ]
 }

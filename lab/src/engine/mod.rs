@@ -1,6 +1,7 @@
 //! Engines: ways to draw a list of shapes, each on a screen of its own.
 
 pub(crate) mod lines;
+pub(crate) mod memory;
 pub(crate) mod peers;
 pub(crate) mod polygons;
 pub(crate) mod triangles;

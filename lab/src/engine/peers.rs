@@ -1,5 +1,7 @@
 //! The peers: embedded-graphics on its own `Framebuffer`, tiny-skia without anti-aliasing on its own pixmap (32 bits).
 
+use std::convert::Infallible;
+
 use embedded_graphics::{
     framebuffer::{buffer_size, Framebuffer},
     geometry::Point,
@@ -12,7 +14,7 @@ use embedded_graphics::{
 };
 use tiny_skia::{Color, FillRule, Paint, Path, Pixmap, Stroke, Transform};
 
-use super::{ink, Engine};
+use super::Engine;
 use crate::frame::{Mask, HEIGHT, WIDTH};
 
 const SIZE: usize = buffer_size::<Rgb565>(WIDTH as usize, HEIGHT as usize);
@@ -44,12 +46,12 @@ impl<S, F: FnMut(&mut Graphics, &S)> Engine<S> for GraphicsEngine<F> {
     }
 }
 
-pub(super) fn line(frame: &mut Graphics, a: Point, b: Point) {
-    let Ok(()) = Line::new(a, b).into_styled(PrimitiveStyle::with_stroke(ink(), 1)).draw(frame);
+pub(super) fn line<D: DrawTarget<Error = Infallible>>(frame: &mut D, a: Point, b: Point, color: D::Color) {
+    let Ok(()) = Line::new(a, b).into_styled(PrimitiveStyle::with_stroke(color, 1)).draw(frame);
 }
 
-pub(super) fn triangle(frame: &mut Graphics, [a, b, c]: [Point; 3]) {
-    let Ok(()) = Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(ink())).draw(frame);
+pub(super) fn triangle<D: DrawTarget<Error = Infallible>>(frame: &mut D, [a, b, c]: [Point; 3], color: D::Color) {
+    let Ok(()) = Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(color)).draw(frame);
 }
 
 /// tiny-skia. Its paths are made beforehand.

@@ -51,7 +51,7 @@ pub(crate) fn entries() -> Vec<Entry<Triangle>> {
             plain(|f, t: &Triangle| fill(t.vertices, WINDOW, |s| f.span(s))),
         ),
         entry("canvas", "`Canvas::fill_triangle`", Crate, own(|f, t: &Triangle| f.fill_triangle(t.vertices, ink()))),
-        entry("eg", "embedded-graphics", Peer, peers::graphics(|f, t: &Triangle| peers::triangle(f, t.pixels))),
+        entry("eg", "embedded-graphics", Peer, peers::graphics(|f, t: &Triangle| peers::triangle(f, t.pixels, ink()))),
         entry("skia", "tiny-skia", Peer, peers::skia(|p, t: &Triangle| peers::fill(p, t.path.as_ref()))),
     ];
     for entry in &mut entries {
