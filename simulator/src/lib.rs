@@ -27,4 +27,4 @@ pub mod world;
 
 pub use difference::Difference;
 pub use picture::{Picture, Pixels};
-pub use window::{show, Key, Shot, WindowError};
+pub use window::{show, watch, Event, Key, Shot, WindowError};
