@@ -280,6 +280,8 @@ fn polygons_are_closed() {
     }
     let two = [&clicks[..2].concat()[..], &[key(Key::Enter)]].concat();
     assert_eq!(commands(&mut desk, &two), [], "two corners");
+    let third = [Event::Press(at(30, 90)), key(Key::Enter)];
+    assert_eq!(commands(&mut desk, &third), [Command::Polygon(corners.to_vec())], "the two were kept");
     assert_eq!(commands(&mut desk, &[key(Key::Key1), Event::Menu(at(9, 9))]), [], "no polygon to close");
 }
 
@@ -312,7 +314,7 @@ fn keys_buttons_and_swatches_are_commands() {
 #[test]
 fn the_window_shows_what_is_drawn() {
     let mut desk = Desk::new(paint(4), "x.png");
-    assert!(!desk.go(&[]), "nothing new");
+    assert!(!desk.go(&[]) && !desk.go(&[Event::Move(at(3, 4))]), "nothing new");
     let color = |desk: &Desk, x: usize, y: usize| desk.shot().picture.color(x, y + 24);
     assert!(desk.go(&[key(Key::Key2), Event::Press(at(10, 20)), Event::Move(at(60, 70))]), "a drag");
     assert_eq!((color(&desk, 40, 50), desk.paint().sheet().ram.iter().max()), (EGA.get(15), Some(&0)), "a preview");
