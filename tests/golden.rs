@@ -4,6 +4,9 @@
 //! drawn and where it differs are written beside the picture.
 
 use std::{convert::Infallible, env, path};
+mod support;
+
+use std::convert::Infallible;
 
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -27,6 +30,7 @@ use embedded_raster::{
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::I24F8;
+use support::golden::{compare, is_blessing};
 
 const WIDTH: u16 = 96;
 const HEIGHT: u16 = 64;

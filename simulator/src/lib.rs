@@ -6,7 +6,8 @@
 //! ```text
 //!   framebuffer + palette  --->  Picture  --->  PNG, terminal, window, difference
 //! ```
-//! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth.
+//! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
+//! paint program, by scripts and in a window.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -19,6 +20,7 @@
 //! ```
 
 mod difference;
+pub mod paint;
 mod picture;
 mod png;
 mod preview;
@@ -27,4 +29,4 @@ pub mod world;
 
 pub use difference::Difference;
 pub use picture::{Picture, Pixels};
-pub use window::{show, Key, Shot, WindowError};
+pub use window::{show, watch, Event, Key, Shot, WindowError};

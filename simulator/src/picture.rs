@@ -106,6 +106,11 @@ impl Picture {
         }
     }
 
+    /// The colours of all pixels, row by row.
+    pub fn colors(&self) -> impl Iterator<Item = Rgb888> + '_ {
+        (0..self.height).flat_map(move |y| (0..self.width).filter_map(move |x| self.color(x, y)))
+    }
+
     /// The index of a pixel; `None` outside and in a picture of colours.
     pub fn index(&self, x: usize, y: usize) -> Option<u8> {
         match &self.pixels {

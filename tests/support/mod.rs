@@ -13,6 +13,7 @@
 
 pub(crate) mod curves;
 pub(crate) mod frame;
+pub(crate) mod golden;
 pub(crate) mod hits;
 pub(crate) mod memory;
 pub(crate) mod rng;

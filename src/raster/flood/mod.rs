@@ -39,7 +39,7 @@ pub enum Reach {
 }
 
 /// A slot of the table of a flood fill: a range of a row that is to be searched.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Pending {
     y: i32,
     x0: i32,
@@ -49,7 +49,7 @@ pub struct Pending {
 }
 
 impl Pending {
-    /// To make a table of.
+    /// To make a table of. After a fill, the slots that are not empty any more are those that it took.
     pub const EMPTY: Self = Self { y: 0, x0: 0, x1: 0, down: 0 };
 }
 
