@@ -1,4 +1,11 @@
 //! The page: twenty tiles, each a kind of shape. Integers only and no heap: a chip draws it with this same code.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    unreachable_pub,
+    reason = "the numbers of a page are small; firmwares have this page as a module of a library"
+)]
 
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{

@@ -22,10 +22,8 @@ use embedded_raster::{
         triangle,
     },
     surface::{Counter, Paged},
-    Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, PixelFormat, Radii,
-    Rect, Sector, Surface, Vertex,
-    Bitmap, Canvas, Edge, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment, PixelFormat, Rect, Stroke,
-    Surface, Vertex,
+    Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment,
+    PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
 };
 
 /// A framebuffer as a driver hands it over.
@@ -64,8 +62,7 @@ fn vertex([x, y]: [i32; 2]) -> Vertex {
 }
 
 macro_rules! entry_points {
-    ($($format:ty: $clear:ident $area:ident $line:ident $triangle:ident $polygon:ident $set:ident $blit:ident $mask:ident $move:ident $read:ident $target:ident;)*) => {$(
-    ($($format:ty: $round:ident $flood:ident $clear:ident $area:ident $line:ident $triangle:ident $polygon:ident $set:ident $blit:ident $move:ident $read:ident $target:ident;)*) => {$(
+    ($($format:ty: $round:ident $flood:ident $clear:ident $area:ident $line:ident $triangle:ident $polygon:ident $set:ident $blit:ident $mask:ident $move:ident $read:ident $target:ident;)*) => {$(
         #[no_mangle]
         pub unsafe extern "C" fn $round(m: &Memory, v: [[i32; 2]; 3], radii: &Radii, angles: [u32; 2]) -> bool {
             let [at, size, inner] = v.map(vertex);
@@ -185,20 +182,13 @@ macro_rules! entry_points {
 }
 
 entry_points! {
-    Index1: clear1 area1 line1 triangle1 polygon1 set1 blit1 mask1 move1 read1 target1;
-    Lsb0<Gray2>: clear2 area2 line2 triangle2 polygon2 set2 blit2 mask2 move2 read2 target2;
-    Index4: clear4 area4 line4 triangle4 polygon4 set4 blit4 mask4 move4 read4 target4;
-    Index8: clear8 area8 line8 triangle8 polygon8 set8 blit8 mask8 move8 read8 target8;
-    Rgb565: clear16 area16 line16 triangle16 polygon16 set16 blit16 mask16 move16 read16 target16;
-    Be<Rgb888>: clear24 area24 line24 triangle24 polygon24 set24 blit24 mask24 move24 read24 target24;
-    Xrgb8888: clear32 area32 line32 triangle32 polygon32 set32 blit32 mask32 move32 read32 target32;
-    Index1: round1 flood1 clear1 area1 line1 triangle1 polygon1 set1 blit1 move1 read1 target1;
-    Lsb0<Gray2>: round2 flood2 clear2 area2 line2 triangle2 polygon2 set2 blit2 move2 read2 target2;
-    Index4: round4 flood4 clear4 area4 line4 triangle4 polygon4 set4 blit4 move4 read4 target4;
-    Index8: round8 flood8 clear8 area8 line8 triangle8 polygon8 set8 blit8 move8 read8 target8;
-    Rgb565: round16 flood16 clear16 area16 line16 triangle16 polygon16 set16 blit16 move16 read16 target16;
-    Be<Rgb888>: round24 flood24 clear24 area24 line24 triangle24 polygon24 set24 blit24 move24 read24 target24;
-    Xrgb8888: round32 flood32 clear32 area32 line32 triangle32 polygon32 set32 blit32 move32 read32 target32;
+    Index1: round1 flood1 clear1 area1 line1 triangle1 polygon1 set1 blit1 mask1 move1 read1 target1;
+    Lsb0<Gray2>: round2 flood2 clear2 area2 line2 triangle2 polygon2 set2 blit2 mask2 move2 read2 target2;
+    Index4: round4 flood4 clear4 area4 line4 triangle4 polygon4 set4 blit4 mask4 move4 read4 target4;
+    Index8: round8 flood8 clear8 area8 line8 triangle8 polygon8 set8 blit8 mask8 move8 read8 target8;
+    Rgb565: round16 flood16 clear16 area16 line16 triangle16 polygon16 set16 blit16 mask16 move16 read16 target16;
+    Be<Rgb888>: round24 flood24 clear24 area24 line24 triangle24 polygon24 set24 blit24 mask24 move24 read24 target24;
+    Xrgb8888: round32 flood32 clear32 area32 line32 triangle32 polygon32 set32 blit32 mask32 move32 read32 target32;
 }
 
 #[no_mangle]
