@@ -1,6 +1,9 @@
 //! Ways to fill a connected region. Each first loads the picture, which all of them are charged for.
 
-use embedded_graphics::{geometry::Point, pixelcolor::RgbColor};
+use embedded_graphics::{
+    geometry::Point,
+    pixelcolor::{Rgb565, RgbColor},
+};
 use embedded_raster::raster::flood::{Pending, Reach};
 
 use super::{entry, ink, own, plain, Entry, Origin};
@@ -20,12 +23,12 @@ pub(crate) fn entries() -> Vec<Entry<Pool>> {
     ]
 }
 
-type Own<'a> = embedded_raster::Framebuffer<'a, embedded_graphics::pixelcolor::Rgb565>;
+type Own<'a> = embedded_raster::Framebuffer<'a, Rgb565>;
 
 fn ours<const SLOTS: usize>(frame: &mut Own<'_>, pool: &Pool) {
     use embedded_raster::{Bitmap, Index1};
     let walls = Bitmap::<Index1>::new(&pool.bits, WIDTH as u16, HEIGHT as u16).expect("a bit a pixel");
-    frame.blit_mask(Point::new(0, 0), &walls, RgbColor::WHITE, RgbColor::BLACK);
+    frame.blit_mask(Point::new(0, 0), &walls, Rgb565::WHITE, Rgb565::BLACK);
     frame.flood_fill(pool.seed, Reach::Sides, ink(), &mut [Pending::EMPTY; SLOTS]);
 }
 

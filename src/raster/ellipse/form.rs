@@ -179,7 +179,7 @@ impl<T: Number> Rows<T> {
             let sum = ellipse.extent.x0.wrapping_add(ellipse.extent.x1);
             return Self { right, left: right, from, mirror: Some(sum) };
         }
-        let from = ellipse.middle().clamp(clip.x0, clip.x1);
+        let from = ellipse.middle().max(clip.x0).min(clip.x1);
         let max = |a: i32, b: i32| unsigned(b.wrapping_sub(a));
         let right = Follower::new(&form, (ellipse.u(from), v), 0, max(from, clip.x1));
         let last = ellipse.u(from).wrapping_sub(1_i64.wrapping_shl(ellipse.shift)).wrapping_neg();
