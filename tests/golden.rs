@@ -3,7 +3,6 @@
 //! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
-use std::{convert::Infallible, env, path};
 mod support;
 
 use std::convert::Infallible;
@@ -425,34 +424,4 @@ fn pages() {
         draw(&mut pages);
         assert_eq!(compare(name, &Index1::picture(&pages)), None, "in pages");
     }
-}
-
-fn is_blessing() -> bool {
-    env::var_os("BLESS").is_some_and(|bless| bless == "1")
-}
-
-/// Compares a picture with the one of that name; says what is wrong with it. With `BLESS=1`, writes it.
-fn compare(name: &str, picture: &Picture) -> Option<String> {
-    let folder = path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
-    let golden = folder.join(format!("{name}.png"));
-    if is_blessing() {
-        picture.write_png(&golden).expect("pictures can be written");
-        return None;
-    }
-    let expected = Picture::read_png(&golden);
-    if expected.as_ref().is_ok_and(|expected| expected == picture) {
-        return None;
-    }
-    let actual = folder.join(format!("{name}.actual.png"));
-    picture.write_png(&actual).expect("pictures can be written");
-    Some(match expected {
-        Err(error) => format!("{}: {error}; drawn: {}", golden.display(), actual.display()),
-        Ok(expected) => {
-            let difference = expected.difference(picture);
-            let marked = folder.join(format!("{name}.difference.png"));
-            difference.picture.write_png(&marked).expect("pictures can be written");
-            let (pixels, actual, marked) = (difference.pixels, actual.display(), marked.display());
-            format!("{name}: {pixels} pixels differ; drawn: {actual}, where: {marked}")
-        }
-    })
 }

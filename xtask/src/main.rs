@@ -110,7 +110,8 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Small)?);
     finish(args)?;
     for chip in chips {
-        println!("{}: bytes beyond `empty`\n\n{}", heading(chip, opt)?, size::markdown(&size::features(chip, opt)?));
+        let table = size::markdown(&size::features(chip, opt)?, &size::painted(chip, opt)?);
+        println!("{}: bytes beyond `empty`\n\n{table}", heading(chip, opt)?);
     }
     Ok(())
 }

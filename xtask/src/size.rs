@@ -81,29 +81,29 @@ pub struct Feature {
     pub rodata: i64,
     /// Bytes of static RAM beside the framebuffer, likewise.
     pub ram: i64,
-    /// Bytes of stack, painted.
-    pub stack: u32,
     /// Bytes of stack beyond the empty program, summed from the sizes of the frames.
     pub frames: i64,
 }
 
-/// Measures all programs, the empty one first.
+/// Measures all programs, the empty one first, without their painted stack: that takes another build.
 pub fn features(chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
-    let names = programs()?;
-    // Both builds end in the same folder, so all of the first one is read before the second is made.
-    let folder = firmware::build_all(PACKAGE, &[], chip, opt)?;
-    let sections = names.iter().map(|name| Sections::of(&folder.join(name))).collect::<Result<Vec<_>>>()?;
+    let folder = firmware::build_with_frames(PACKAGE, chip, opt)?;
     let empty = Sections::of(&folder.join(EMPTY))?;
-    let with_frames = firmware::build_with_frames(PACKAGE, chip, opt)?;
-    let empty_frames = frames::deepest(&with_frames.join(EMPTY))? as i64;
-    let folder = firmware::build_all(PACKAGE, &["stack"], chip, opt)?;
-    let measure = |(name, sections): (&String, Sections)| {
-        let [text, rodata, ram] = sections.beyond(if name == EMPTY { Sections::default() } else { empty });
-        let stack = stack(chip, &folder.join(name))?;
-        let frames = frames::deepest(&with_frames.join(name))? as i64 - if name == EMPTY { 0 } else { empty_frames };
-        Ok(Feature { name: name.clone(), text, rodata, ram, stack, frames })
+    let empty_frames = frames::deepest(&folder.join(EMPTY))? as i64;
+    let measure = |name: String| {
+        let elf = folder.join(&name);
+        let is_empty = name == EMPTY;
+        let [text, rodata, ram] = Sections::of(&elf)?.beyond(if is_empty { Sections::default() } else { empty });
+        let frames = frames::deepest(&elf)? as i64 - if is_empty { 0 } else { empty_frames };
+        Ok(Feature { name, text, rodata, ram, frames })
     };
-    names.iter().zip(sections).map(measure).collect()
+    programs()?.into_iter().map(measure).collect()
+}
+
+/// Bytes of stack of all programs, painted, in the same order.
+pub fn painted(chip: Chip, opt: Opt) -> Result<Vec<u32>> {
+    let folder = firmware::build_all(PACKAGE, &["stack"], chip, opt)?;
+    programs()?.iter().map(|name| stack(chip, &folder.join(name))).collect()
 }
 
 /// What the program prints when it is built to print its stack; the empty one prints nothing.
@@ -113,11 +113,11 @@ fn stack(chip: Chip, elf: &Path) -> Result<u32> {
 }
 
 /// A Markdown table of all programs: the empty one as it is, the others beyond it.
-pub fn markdown(features: &[Feature]) -> String {
+pub fn markdown(features: &[Feature], painted: &[u32]) -> String {
     let mut text = String::from(
         "| program | .text | .rodata | static RAM | stack, painted | stack, summed |\n|---|---:|---:|---:|---:|---:|\n",
     );
-    for Feature { name, text: code, rodata, ram, stack, frames } in features {
+    for (Feature { name, text: code, rodata, ram, frames }, stack) in features.iter().zip(painted) {
         text += &format!("| {name} | {code} | {rodata} | {ram} | {stack} | {frames} |\n");
     }
     text

@@ -47,7 +47,7 @@ pub(crate) fn entries() -> Vec<Entry<Oval>> {
 /// Centre and semi-axes in pixels.
 fn floats(oval: &Oval) -> [f32; 4] {
     let area = oval.area;
-    let half = |low: i32, high: i32| ((low as f32 + high as f32) / 2.0, (high as f32 - low as f32) / 2.0);
+    let half = |low: i32, high: i32| (f32::midpoint(low as f32, high as f32), (high as f32 - low as f32) / 2.0);
     let ((x, a), (y, b)) = (half(area.x0, area.x1), half(area.y0, area.y1));
     [x, y, a, b]
 }
