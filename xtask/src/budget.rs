@@ -20,8 +20,6 @@ use crate::{run, scene, size, table, Chip};
 
 /// The chips that have budgets, by their names on the command line.
 const CHIPS: [(&str, Chip); 2] = [("m0", Chip::M0), ("m4", Chip::M4)];
-/// The engine that has budgets: this crate.
-const ENGINE: &str = "embedded-raster";
 /// What may be grown by: 1 of so many. Another compiler may bring as much.
 const TOLERANCE: f64 = 50.0;
 
@@ -32,9 +30,9 @@ pub type Budgets = BTreeMap<String, f64>;
 pub fn measure() -> Result<Budgets> {
     let mut all = Budgets::new();
     for (name, chip) in CHIPS {
-        let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, Opt::Three)?)?;
-        for row in rows.iter().filter(|row| row.engine == ENGINE) {
-            // Not their stack: in one program with all engines it depends on what is inlined where.
+        let rows = table::parse(&run(&Program { package: "bench", bin: "own" }, chip, Opt::Three)?)?;
+        for row in rows {
+            // Not their stack: in one program with all workloads it depends on what is inlined where.
             all.insert(format!("instructions;{name};3;{};{}", row.workload, row.format), row.instructions);
         }
         for frame in scene::on_chip(chip, Opt::Three)? {
