@@ -91,6 +91,34 @@ fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool>
     Ok(!refused)
 }
 
+/// What takes too long for every change: the tests by the ways of small cores and small images, the proofs and the frames
+/// on every chip at every opt-level, the lab.
+pub fn full() -> Result<()> {
+    let commands: [&[&str]; 6] = [
+        &["test", "--workspace"],
+        &["xtask", "probe"],
+        &["xtask", "panics"],
+        &["xtask", "symbols"],
+        &["xtask", "budget"],
+        &["run", "--release", "--package", "lab", "--", "--quick"],
+    ];
+    commands.into_iter().try_for_each(|args| cargo(args, &[]))?;
+    for opt in ["3", "s"] {
+        cargo(&["xtask", "scene", "--opt", opt], &[])?;
+    }
+    let small = [("RUSTFLAGS", "--cfg small_core --cfg compact"), ("CARGO_TARGET_DIR", "target/small")];
+    cargo(&["test", "--package", "embedded-raster"], &small)
+}
+
+/// A command of cargo in the folder of the project, printed before it runs.
+fn cargo(args: &[&str], environment: &[(&str, &str)]) -> Result<()> {
+    println!("\n== cargo {}", args.join(" "));
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    let status = cargo.args(args).envs(environment.iter().copied()).current_dir(project()).status()?;
+    ensure!(status.success(), "cargo {} ended with {status}", args.join(" "));
+    Ok(())
+}
+
 /// The target that the compiler builds for by itself.
 fn host() -> Result<String> {
     let output = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into())).arg("-vV").output()?;

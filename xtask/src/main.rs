@@ -17,8 +17,10 @@ Checks:
         prove by the linker that no drawing call can panic: opt-level 3 and s, overflow checks on and off
     panics [--target CHIP]...
         the same on the chips
-    symbols [--target CHIP]...
-        fail when a firmware in size/ links what it does not use, or floats, at opt-level 3 and s
+    full
+        everything, with what is too slow for continuous integration: about an hour
+    symbols [--target CHIP]... [--opt 3|s]
+        fail when a firmware in size/ links what it does not use, or floats, at both opt-levels unless told
 
 The firmware on emulated chips. Counts are instructions, not cycles.
 
@@ -68,6 +70,10 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("readme") => {
             finish(args)?;
             readme::update()
+        }
+        Some("full") => {
+            finish(args)?;
+            checks::full()
         }
         Some("probe") => {
             finish(args)?;
@@ -155,9 +161,10 @@ fn cross(mut args: Arguments) -> Result<()> {
 
 fn check_symbols(mut args: Arguments) -> Result<()> {
     let chips = chips(&mut args)?;
+    let opts = args.opt_value_from_str("--opt")?.map_or(Opt::ALL.to_vec(), |opt| vec![opt]);
     finish(args)?;
     for chip in chips {
-        for opt in Opt::ALL {
+        for &opt in &opts {
             symbols::check(chip, opt)?;
             println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
         }
