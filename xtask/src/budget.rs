@@ -26,16 +26,19 @@ const TOLERANCE: f64 = 50.0;
 /// What is measured, as in the file without its last field, to the number.
 pub type Budgets = BTreeMap<String, f64>;
 
-/// Measures everything that has a budget.
+/// Measures everything that has a budget. Frames must be those of this computer.
 pub fn measure() -> Result<Budgets> {
     let mut all = Budgets::new();
+    let host = scene::on_host()?;
     for (name, chip) in CHIPS {
         let rows = table::parse(&run(&Program { package: "bench", bin: "own" }, chip, Opt::Three)?)?;
         for row in rows {
             // Not their stack: in one program with all workloads it depends on what is inlined where.
             all.insert(format!("instructions;{name};3;{};{}", row.workload, row.format), row.instructions);
         }
-        for frame in scene::on_chip(chip, Opt::Three)? {
+        let frames = scene::on_chip(chip, Opt::Three)?;
+        scene::compare(&host, chip, &frames)?;
+        for frame in frames {
             all.insert(format!("instructions;{name};3;{};{}", frame.name, frame.format), frame.instructions);
             all.insert(format!("stack;{name};3;{};{}", frame.name, frame.format), frame.stack.into());
         }

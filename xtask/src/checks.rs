@@ -94,7 +94,8 @@ fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool>
 /// What takes too long for every change: the tests by the ways of small cores and small images, the proofs and the frames
 /// on every chip at every opt-level, the lab.
 pub fn full() -> Result<()> {
-    let commands: [&[&str]; 6] = [
+    let commands: [&[&str]; 7] = [
+        &["xtask", "cross"],
         &["test", "--workspace"],
         &["xtask", "probe"],
         &["xtask", "panics"],
