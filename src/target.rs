@@ -1,6 +1,8 @@
-//! What is known of the chip and of the build. Hints for speed and size only: they choose between ways to the same pixels.
+//! What is known of the chip and of the build, and what the compiler is told. Hints for speed and size only: they choose between ways to the same pixels.
 //!
 //! `RUSTFLAGS="--cfg small_core --cfg compact" cargo test` takes the ways of small cores and small images on any machine.
+
+use core::hint::black_box;
 
 /// Armv7-M and later. Among the Cortex-M, atomic compare-and-swap tells them from Armv6-M.
 const ARMV7: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
@@ -15,3 +17,10 @@ pub(crate) const UNALIGNED: bool = !cfg!(small_core)
 
 /// Built for size, at opt-level "s" or "z" (see `build.rs`): one short loop is better than three fast ones.
 pub(crate) const COMPACT: bool = cfg!(compact);
+
+/// Keeps the loop around it as it is written: an empty piece of assembly, without instructions. Unrolled at run time, a
+/// loop of four instructions gets ten of prologue, and multiple stores are taken apart.
+#[inline(always)]
+pub(crate) fn keep_rolled() {
+    black_box(());
+}

@@ -7,14 +7,10 @@
 
 use bytemuck::{pod_align_to_mut, Pod};
 
-use super::{
-    byte, packed,
-    word::{self, keep_rolled},
-    PixelFormat,
-};
+use super::{byte, packed, word, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::{COMPACT, UNALIGNED},
+    target::{keep_rolled, COMPACT, UNALIGNED},
 };
 
 /// Eight pixels of a mask at a time, the leftmost in bit 31, from pixel `x` of the row at byte `row` on. Beyond the memory

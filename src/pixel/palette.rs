@@ -2,10 +2,10 @@
 
 use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
 
-use super::{color::rescale, word::keep_rolled, PixelFormat, Rgb332};
+use super::{color::rescale, PixelFormat, Rgb332};
 use crate::{
     num::cast::{low_u16, low_u32, low_u8},
-    target::COMPACT,
+    target::{keep_rolled, COMPACT},
 };
 
 /// A table of `N` colours that indices are shown through.

@@ -10,18 +10,14 @@ use core::num::NonZeroU32;
 
 use bytemuck::{pod_align_to_mut, Pod};
 
-use super::{
-    bytes_per_pixel, packed,
-    word::{self, keep_rolled},
-    PixelFormat,
-};
+use super::{bytes_per_pixel, packed, word, PixelFormat};
 use crate::{
     num::{
         cast::{low_u16, low_u8, offset},
         round::fraction,
     },
     span::Steps,
-    target::{COMPACT, DIVIDES},
+    target::{keep_rolled, COMPACT, DIVIDES},
 };
 
 /// Writes `bits` along `steps`, from a row and a pixel of it, in rows `stride` bytes apart.

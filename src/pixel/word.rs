@@ -11,15 +11,8 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut, Pod};
 use super::{bytes_per_pixel, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::{COMPACT, UNALIGNED},
+    target::{keep_rolled, COMPACT, UNALIGNED},
 };
-
-/// Keeps the loop around it as it is written: an empty piece of assembly, without instructions. Unrolled at run time, a
-/// loop of four instructions gets ten of prologue, and multiple stores are taken apart.
-#[inline(always)]
-pub(super) fn keep_rolled() {
-    black_box(());
-}
 
 /// A word full of pixels, for the formats that repeat in one.
 #[inline(always)]

@@ -62,11 +62,11 @@ impl Edge {
     };
 
     /// Puts the side from `upper` to `lower` into this slot, as it stands on the first of the rows `y..end`, which it
-    /// crosses, `skip` rows below the first of all that it crosses; `down` if its contour goes that way.
+    /// crosses; `down` if its contour goes that way.
     #[inline(always)]
-    pub(crate) fn put(&mut self, upper: Vertex, lower: Vertex, skip: i32, (y, end): (i32, i32), down: bool) {
+    pub(crate) fn put(&mut self, upper: Vertex, lower: Vertex, (y, end): (i32, i32), down: bool) {
         let Some(slope) = Slope::new(bits(upper), bits(lower)) else { return };
-        let (depth, rows) = (slope.down(skip), end.wrapping_sub(y));
+        let (depth, rows) = (slope.down_to(y), end.wrapping_sub(y));
         // Two stores: of one, the smaller side's numbers would go by way of the stack.
         if slope.is_small() {
             self.crossing.set(slope.small(depth, rows));
@@ -144,12 +144,6 @@ impl Slope {
         !COMPACT && (self.lower.0.abs_diff(self.upper.0) | self.dy.get()) < 1 << 16
     }
 
-    /// From the upper end down to a centre `skip` rows below the first row it crosses.
-    #[inline(always)]
-    fn down(self, skip: i32) -> u32 {
-        (unsigned(skip) << 8).wrapping_add(128_u32.wrapping_sub(unsigned(self.upper.1)) & 255)
-    }
-
     /// From the upper end down to the centre of row y, which it crosses: below dy.
     #[inline(always)]
     fn down_to(self, y: i32) -> u32 {
@@ -199,81 +193,6 @@ impl Slope {
         let (q, r) = div_rem_wide(u64::from(width.wrapping_sub(leftward.into())), self.dy);
         let slope = if leftward { (!signed(q), dy.wrapping_sub(1).wrapping_sub(r)) } else { (signed(q), r) };
         Stepper::new(self.dy, (k, rest), slope)
-    }
-}
-
-/// A way down the crossings of a side.
-pub(crate) trait Crossings: Copy {
-    /// Whether it is right for sides of any size, or only below 2^19 units in width and height.
-    const ANY_SIZE: bool;
-    /// The same pixel on every row.
-    fn constant(x: i32) -> Self;
-    /// From row y, which the side crosses, for `rows` rows.
-    fn new(side: Slope, y: i32, rows: i32) -> Self;
-    /// The first pixel right of the side on this row.
-    fn x(self) -> i32;
-    /// To the next row.
-    fn step(&mut self);
-}
-
-impl Crossings for Stepper {
-    const ANY_SIZE: bool = true;
-
-    #[inline(always)]
-    fn constant(x: i32) -> Self {
-        Self::still(x)
-    }
-
-    #[inline(always)]
-    fn new(side: Slope, y: i32, rows: i32) -> Self {
-        side.stepper_at(y, rows)
-    }
-
-    #[inline(always)]
-    fn x(self) -> i32 {
-        self.value
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        self.step();
-    }
-}
-
-/// Crossings as quotients: no set-up, half the state of a [`Stepper`], one division a row. The best way wherever a chip
-/// divides in a few cycles and sides are too short to earn a set-up back.
-#[derive(Copy, Clone)]
-pub(crate) struct Quotients {
-    n: u32,
-    dx: i32,
-    dy: NonZeroU32,
-    p: i32,
-}
-
-impl Crossings for Quotients {
-    const ANY_SIZE: bool = false;
-
-    #[inline(always)]
-    fn constant(x: i32) -> Self {
-        Self { n: 0, dx: 0, dy: NonZeroU32::MIN, p: x }
-    }
-
-    #[inline(always)]
-    fn new(side: Slope, y: i32, _: i32) -> Self {
-        let (p, m, dx) = side.numerator(side.down_to(y));
-        // |m| is below 2^11 dy: with 2^12 dy it is a positive number below 2^32.
-        let n = unsigned(m).wrapping_add(side.dy.get() << 12);
-        Self { n, dx, dy: side.dy, p: p.wrapping_sub(1 << 12) }
-    }
-
-    #[inline(always)]
-    fn x(self) -> i32 {
-        self.p.wrapping_add(signed(self.n / self.dy))
-    }
-
-    #[inline(always)]
-    fn step(&mut self) {
-        self.n = self.n.wrapping_add(unsigned(self.dx));
     }
 }
 

@@ -21,7 +21,6 @@
 use core::{
     borrow::Borrow,
     cell::Cell,
-    hint::black_box,
     mem::{replace, swap},
 };
 
@@ -39,7 +38,7 @@ use crate::{
     },
     rect::Rect,
     span::{ClippedSpan, Span},
-    target::COMPACT,
+    target::{keep_rolled, COMPACT},
 };
 
 pub use crate::geom::polygon::FillRule;
@@ -134,7 +133,7 @@ where
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(end);
         if let Some(slot) = table.get_mut(loaded.count) {
-            slot.put(upper, lower, y.wrapping_sub(first), (y, end), down);
+            slot.put(upper, lower, (y, end), down);
         }
         loaded.count = loaded.count.wrapping_add(1);
     };
@@ -225,12 +224,6 @@ impl Waiting {
             last = edge;
         }
     }
-}
-
-/// Keeps the loop around it from being unrolled.
-#[inline(always)]
-fn keep_rolled() {
-    black_box(());
 }
 
 /// Paints the band whose sides were loaded.

@@ -19,8 +19,7 @@
 //! equal ones lies no pixel.
 //!
 //! Crossings are found as the chip and the size ask for: by sums of fixed-point numbers where that is exact (the proof is
-//! there), by a division a row, or by quotient and remainder. Built for size, a firmware has the last way only, in one loop
-//! and one set-up for all sizes.
+//! there), or by quotient and remainder. Built for size, a firmware has the second way only.
 //!
 //! Sources: "Rasterization Rules", Direct3D 11 documentation; J. Pineda, "A Parallel Algorithm for Polygon
 //! Rasterization", SIGGRAPH 1988 (edge functions).
@@ -32,13 +31,12 @@ use core::{
     ops::{Add, AddAssign, BitOr},
 };
 
-use super::edge::{Crossings, Quotients, Slope, Sum};
+use super::edge::{Slope, Sum};
 use crate::{
     geom::{bits, Vertex},
     num::{
         cast::{narrow, unsigned},
         round::{compare_products, difference, first_centre_from},
-        stepper::Stepper,
     },
     rect::Rect,
     span::{ClippedSpan, Span},
@@ -80,12 +78,10 @@ impl<F: FnMut(ClippedSpan)> Sink for F {
 #[inline(always)]
 pub(crate) fn fill_to(corners: [Vertex; 3], window: Rect, sink: &mut impl Sink) {
     let corners = sorted(corners.map(bits));
-    if COMPACT {
-        fill_compact(corners, window, sink);
-    } else if DIVIDES {
+    if DIVIDES && !COMPACT {
         fill_by_sums(corners, window, sink);
     } else {
-        fill_by::<Stepper>(corners, window, sink);
+        fill_by_steps(corners, window, sink);
     }
 }
 
@@ -168,66 +164,28 @@ fn block(a: (i32, i32), b: (i32, i32), c: (i32, i32), y: i32, y1: i32) -> (Sum, 
     }
 }
 
-/// [`fill_by`] in a function of its own, with registers of its own.
+/// [`fill_by_steps`] in a function of its own, with registers of its own.
 #[inline(never)]
 fn fill_apart(a: (i32, i32), b: (i32, i32), c: (i32, i32), window: Rect, sink: &mut impl Sink) {
-    fill_by::<Quotients>([a, b, c], window, sink);
+    fill_by_steps([a, b, c], window, sink);
 }
 
-/// Fills in blocks of rows: the two halves above and below the middle corner, or single rows of triangles too large for C.
-///
-/// All of them go through one loop, so that there is one call of `emit` to be inlined.
+/// Triangles of any size, in two blocks of rows: above and below the middle corner.
 #[inline(always)]
-fn fill_by<C: Crossings>(corners: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
-    let [a, b, c] = corners;
-    let (top, bottom) = (first_centre_from(a.1), first_centre_from(c.1));
-    let (y0, y1) = (top.max(window.y0), bottom.min(window.y1));
-    if y0 >= y1 || window.x0 >= window.x1 {
+fn fill_by_steps([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
+    let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
+    if y0 >= y1 {
         return;
     }
     let turn = first_centre_from(b.1).min(y1);
-    let Some(long) = Slope::new(a, c) else { return };
-    let small = is_small(corners);
-    let b_is_left = if small { is_left_small(corners) } else { is_left(corners) };
-    let whole = small || C::ANY_SIZE;
-    let mut long_side = if whole { C::new(long, y0, y1.wrapping_sub(y0)) } else { C::constant(0) };
-    let mut steppers = None;
-
+    let start = |upper, lower, (y, end): (i32, i32)| {
+        Slope::new(upper, lower).map(|side| side.stepper_at(y, end.wrapping_sub(y)))
+    };
+    let Some(mut long) = start(a, c, (y0, y1)) else { return };
     let mut y = y0;
     while y < y1 {
         let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
-        let Some(short) = Slope::new(upper, lower) else { return };
-        let (short_side, end) = if whole {
-            (C::new(short, y, end.wrapping_sub(y)), end)
-        } else {
-            let [x, short_x] = one_row(&mut steppers, corners, y);
-            long_side = C::constant(x);
-            (C::constant(short_x), y.wrapping_add(1))
-        };
-        let (mut left, mut right) = if b_is_left { (short_side, long_side) } else { (long_side, short_side) };
-        while y < end {
-            if let Some(span) = (Span { y, x0: left.x(), x1: right.x() }).clip_columns(window) {
-                sink.emit(span);
-            }
-            left.step();
-            right.step();
-            y = y.wrapping_add(1);
-        }
-        long_side = if b_is_left { right } else { left };
-    }
-}
-
-/// All triangles in little code.
-#[inline(always)]
-fn fill_compact([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) {
-    let start = |upper, lower, y| Slope::new(upper, lower).map(|side| side.stepper_at(y, i32::MAX));
-    let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
-    let turn = first_centre_from(b.1).min(y1);
-    let mut y = y0;
-    let Some(mut long) = start(a, c, y).filter(|_| y0 < y1) else { return };
-    while y < y1 {
-        let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
-        let Some(mut short) = start(upper, lower, y) else { return };
+        let Some(mut short) = start(upper, lower, (y, end)) else { return };
         while y < end {
             let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
             if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
@@ -238,49 +196,6 @@ fn fill_compact([a, b, c]: [(i32, i32); 3], window: Rect, sink: &mut impl Sink) 
             y = y.wrapping_add(1);
         }
     }
-}
-
-/// The crossings of the long and the short side of a large triangle on row y; goes on to the next.
-#[cold]
-#[inline(never)]
-fn one_row(steppers: &mut Option<[Stepper; 2]>, [a, b, c]: [(i32, i32); 3], y: i32) -> [i32; 2] {
-    let middle = first_centre_from(b.1);
-    let short = if y < middle { (a, b) } else { (b, c) };
-    let start = |(upper, lower): ((i32, i32), (i32, i32))| match Slope::new(upper, lower) {
-        Some(side) => side.stepper_at(y, i32::MAX),
-        None => Stepper::still(0),
-    };
-    // Both start anew where the short side does.
-    let sides = match steppers {
-        Some(sides) if y != middle => sides,
-        _ => steppers.insert([start((a, c)), start(short)]),
-    };
-    let crossings = sides.each_ref().map(|side| side.value);
-    sides.iter_mut().for_each(Stepper::step);
-    crossings
-}
-
-/// Whether all sides are below 2^19 units in width and height, for corners sorted by y.
-#[inline(always)]
-fn is_small([a, b, c]: [(i32, i32); 3]) -> bool {
-    let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
-    unsigned(right.wrapping_sub(left) | c.1.wrapping_sub(a.1)) < 1 << 19
-}
-
-/// Whether b lies left of the line from a down to c.
-#[cold]
-#[inline(never)]
-fn is_left([a, b, c]: [(i32, i32); 3]) -> bool {
-    let (ab, ac) = ((difference(b.0, a.0), difference(b.1, a.1)), (difference(c.0, a.0), difference(c.1, a.1)));
-    compare_products((ab.0, ac.1), (ab.1, ac.0)) == Ordering::Less
-}
-
-/// The same for differences below 2^31.
-#[inline(always)]
-fn is_left_small([a, b, c]: [(i32, i32); 3]) -> bool {
-    let product = |m: i32, n: i32| i64::from(m).wrapping_mul(i64::from(n));
-    let (ab, ac) = ((b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1)), (c.0.wrapping_sub(a.0), c.1.wrapping_sub(a.1)));
-    product(ab.0, ac.1) < product(ab.1, ac.0)
 }
 
 /// By y, with three compare-exchanges.
@@ -401,16 +316,12 @@ mod tests {
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
         let vertices = corners.map(|(x, y)| Vertex::from_bits(x, y));
-        let mut spans = [vec![], vec![], vec![], vec![], vec![]];
-        fill_by::<Quotients>(sorted(corners), window, &mut |s: ClippedSpan| spans[0].push((s.y(), s.x0(), s.x1())));
+        let mut spans = [vec![], vec![], vec![]];
+        fill_by_steps(sorted(corners), window, &mut |s: ClippedSpan| spans[0].push((s.y(), s.x0(), s.x1())));
         walk(vertices, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));
-        fill_by::<Stepper>(sorted(corners), window, &mut |s: ClippedSpan| spans[2].push((s.y(), s.x0(), s.x1())));
-        fill_by_sums(sorted(corners), window, &mut |s: ClippedSpan| spans[3].push((s.y(), s.x0(), s.x1())));
-        fill_compact(sorted(corners), window, &mut |s: ClippedSpan| spans[4].push((s.y(), s.x0(), s.x1())));
-        let [solved, walked, stepped, summed, compact] = spans;
-        assert_eq!(solved, stepped, "quotients, steppers: {corners:?}");
-        assert_eq!(solved, summed, "quotients, sums: {corners:?}");
-        assert_eq!(solved, compact, "quotients, little code: {corners:?}");
+        fill_by_sums(sorted(corners), window, &mut |s: ClippedSpan| spans[2].push((s.y(), s.x0(), s.x1())));
+        let [solved, walked, summed] = spans;
+        assert_eq!(solved, summed, "steps, sums: {corners:?}");
         [solved, walked]
     }
 
@@ -460,7 +371,7 @@ mod tests {
             let window = Rect::new(0, random(8), columns, 230);
             let (mut summed, mut stepped) = (vec![], vec![]);
             fill_by_sums(corners, window, &mut |s: ClippedSpan| summed.push((s.y(), s.x0(), s.x1())));
-            fill_by::<Stepper>(corners, window, &mut |s: ClippedSpan| stepped.push((s.y(), s.x0(), s.x1())));
+            fill_by_steps(corners, window, &mut |s: ClippedSpan| stepped.push((s.y(), s.x0(), s.x1())));
             assert_eq!(summed, stepped, "{corners:?} in {window:?}");
         }
     }

@@ -33,7 +33,7 @@
 //! Sources: M. Pitteway, "Algorithm for drawing ellipses or hyperbolae with a digital plotter", Computer Journal 10(3), 1967
 //! (signs at midpoints); R. Klette, A. Rosenfeld, "Digital Geometry", 2004 (grid-intersection digitisation).
 
-use core::{hint::black_box, num::Wrapping};
+use core::num::Wrapping;
 
 use fixed::types::I24F8;
 
@@ -52,7 +52,7 @@ use crate::{
     },
     rect::Rect,
     span::{ClippedSpan, Span},
-    target::COMPACT,
+    target::{keep_rolled, COMPACT},
 };
 
 mod form;
@@ -282,7 +282,7 @@ impl Iterator for Disc {
             self.step = self.step.wrapping_add(2);
             self.end = self.end.wrapping_add(1);
             // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
-            black_box(());
+            keep_rolled();
         }
         while self.end != self.middle {
             let before = self.f.wrapping_sub(self.step).wrapping_add(2);
@@ -292,7 +292,7 @@ impl Iterator for Disc {
             self.f = before;
             self.step = self.step.wrapping_sub(2);
             self.end = self.end.wrapping_sub(1);
-            black_box(());
+            keep_rolled();
         }
         let y = self.y;
         self.f = self.f.wrapping_add(self.down);

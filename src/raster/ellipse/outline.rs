@@ -1,6 +1,6 @@
 //! Outlines one pixel wide.
 
-use core::{hint::black_box, num::Wrapping};
+use core::num::Wrapping;
 
 use super::{
     form::{mirrored, Follower, Form, Number},
@@ -10,7 +10,7 @@ use crate::{
     num::cast::{narrow, signed, unsigned},
     rect::Rect,
     span::{ClippedSpan, Span},
-    target::COMPACT,
+    target::{keep_rolled, COMPACT},
 };
 
 /// Emits the spans of the outline of the ellipse in a box that lie in `window`, top row first: one or two a row.
@@ -141,7 +141,7 @@ fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
         *f = f.wrapping_add(*step);
         *step = step.wrapping_add(2);
         at = at.wrapping_add(1);
-        black_box(());
+        keep_rolled();
     }
     while at > from {
         let before = f.wrapping_sub(*step).wrapping_add(2);
@@ -151,7 +151,7 @@ fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
         *f = before;
         *step = step.wrapping_sub(2);
         at = at.wrapping_sub(1);
-        black_box(());
+        keep_rolled();
     }
     at
 }
