@@ -92,6 +92,15 @@ impl<F: PixelFormat, P: Fn(u32) -> bool> Field for Area<'_, '_, F, P> {
     fn start(&self, y: i32, x0: i32, x: i32) -> i32 {
         self.frame.start(y, x0, x, |bits| (self.is_open)(bits))
     }
+
+    #[inline]
+    fn corridor(&mut self, x: i32, y: i32, down: i32) -> i32 {
+        let bits = F::pack(self.color);
+        match self.frame.corridor((x, y), down > 0, bits, |bits| (self.is_open)(bits)) {
+            Some(end) => end,
+            None => flood::corridor(self, x, y, down),
+        }
+    }
 }
 
 impl<C: PixelColor + PixelFormat<Color = C>> Paged<'_, C> {

@@ -1,6 +1,6 @@
 //! Looking for pixels along a row in memory.
 
-use super::{byte, get, has_unused_bits, PixelFormat};
+use super::{byte, bytes_per_pixel, get, has_unused_bits, word, PixelFormat};
 
 /// The first of pixels `x0..x1` of the row that starts at byte `row` whose bits are wanted; `x1` if none is.
 #[inline(always)]
@@ -49,6 +49,30 @@ pub(crate) fn start<F: PixelFormat>(
         x = x.wrapping_sub(1);
     }
     x
+}
+
+/// Paints pixels `by` bytes apart for as long as they are open and the pixels left and right of each are not. Returns how
+/// many; `at` is the byte of the first one's left neighbour. Stops at the ends of the memory. For formats of whole bytes.
+#[inline(always)]
+pub(crate) fn corridor<F: PixelFormat>(
+    memory: &mut [u8],
+    mut at: usize,
+    by: usize,
+    bits: u32,
+    is_open: impl Fn(u32) -> bool,
+) -> i32 {
+    let (pixel, mut painted) = (bytes_per_pixel::<F>(), 0_i32);
+    // Three pixels cut out at once: one check of the memory for all.
+    while let Some(three) = memory.get_mut(at..).and_then(|rest| rest.get_mut(..3 * pixel)) {
+        let is_open = |i: usize| is_open(used::<F>(word::get::<F>(three, i * pixel)));
+        if !is_open(1) || is_open(0) || is_open(2) {
+            break;
+        }
+        word::set::<F>(three, pixel, bits);
+        painted = painted.wrapping_add(1);
+        at = at.wrapping_add(by);
+    }
+    painted
 }
 
 /// The bits without those that no colour has.

@@ -215,6 +215,30 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
         x.wrapping_sub(distance(found, end))
     }
 
+    /// Paints down from a pixel of the window, or up, where the way is one pixel wide: see `Field::corridor`. `None` where
+    /// that has to be found out pixel by pixel: at the sides of the window, and where pixels share a byte.
+    #[inline(always)]
+    pub(crate) fn corridor(
+        &mut self,
+        (x, y): (i32, i32),
+        down: bool,
+        bits: u32,
+        is_open: impl Fn(u32) -> bool,
+    ) -> Option<i32> {
+        let Rect { x0, x1, y0, y1 } = self.window;
+        if COMPACT || F::BITS < 8 || x <= x0 || x >= x1.wrapping_sub(1) {
+            return None;
+        }
+        let (left, right) = (self.x(x.wrapping_sub(1)), self.x(x.wrapping_add(2)));
+        let place = |y: i32, x: usize| self.row_start(y).wrapping_add(x.wrapping_mul(pixel::bytes_per_pixel::<F>()));
+        // The memory from the first row of the window to its last: beyond it the corridor ends.
+        let (first, at, end) = (place(y0, left), place(y, left), place(y1.wrapping_sub(1), right));
+        let rows = self.memory.get_mut(first..end)?;
+        let by = if down { self.stride } else { self.stride.wrapping_neg() };
+        let painted = scan::corridor::<F>(rows, at.wrapping_sub(first), by, bits, is_open);
+        Some(if down { y.wrapping_add(painted) } else { y.wrapping_sub(painted) })
+    }
+
     /// Writes a pixel that lies in the window.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: i32, y: i32, bits: u32) {

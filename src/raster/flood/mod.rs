@@ -112,6 +112,31 @@ pub trait Field {
         }
         start
     }
+
+    /// Paints straight up or down from `y` on, by `down`, as long as the way is one pixel wide. Returns the row after the
+    /// last pixel painted, which may lie outside of the window; `x` and the row before `y` lie inside.
+    ///
+    /// What the fill would do too, pixel by pixel, in a third of the time.
+    #[inline]
+    fn corridor(&mut self, x: i32, y: i32, down: i32) -> i32 {
+        corridor(self, x, y, down)
+    }
+}
+
+/// [`Field::corridor`], pixel by pixel.
+#[inline(always)]
+pub(crate) fn corridor(field: &mut (impl Field + ?Sized), x: i32, mut y: i32, down: i32) -> i32 {
+    let window = field.window();
+    let (before, after) = (x.wrapping_sub(1), x.wrapping_add(1));
+    while y >= window.y0 && y < window.y1 {
+        let wide = x > window.x0 && field.is_open(before, y) || after < window.x1 && field.is_open(after, y);
+        if wide || !field.is_open(x, y) {
+            break;
+        }
+        field.paint_pixel(x, y);
+        y = y.wrapping_add(down);
+    }
+    y
 }
 
 /// Paints the open pixels that are connected with `seed`; none if the seed is not open or outside.
@@ -196,28 +221,12 @@ impl<F: Field> Flood<'_, F> {
         (x0, x1)
     }
 
-    /// Straight on from one pixel, as long as the way is one pixel wide; returns the row after the last one painted.
-    ///
-    /// What [`search`](Self::search) would do too, in a third of the time.
-    #[inline(always)]
-    fn corridor(&mut self, Pending { mut y, x0, x1, down }: Pending) -> i32 {
-        let window = self.window;
-        let (before, first, last) = (x0.wrapping_sub(1), window.x0, window.x1);
-        while self.reach == Reach::Sides && y >= window.y0 && y < window.y1 {
-            let wide = x0 > first && self.field.is_open(before, y) || x1 < last && self.field.is_open(x1, y);
-            if wide || !self.field.is_open(x0, y) {
-                break;
-            }
-            self.field.paint_pixel(x0, y);
-            y = y.wrapping_add(down);
-        }
-        y
-    }
-
     /// Paints the runs in a range and keeps what they lead to; returns a range to go on with.
     fn search(&mut self, pending: Pending) -> Option<Pending> {
-        let Pending { x0, x1, down, .. } = pending;
-        let y = if x1 == x0.wrapping_add(1) { self.corridor(pending) } else { pending.y };
+        let Pending { mut y, x0, x1, down } = pending;
+        if x1 == x0.wrapping_add(1) && self.reach == Reach::Sides {
+            y = self.field.corridor(x0, y, down);
+        }
         if y < self.window.y0 || y >= self.window.y1 {
             return None;
         }
