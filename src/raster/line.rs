@@ -50,7 +50,7 @@ pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
         if window.is_empty() {
             return None;
         }
-        search::clip(&[a.x, a.y], &[b.x, b.y], &[window.x0, window.y0, window.x1, window.y1])
+        search::clip(&[a.x, b.x, window.x0, window.x1], &[a.y, b.y, window.y0, window.y1])
     } else if window.contains(a.x, a.y) && window.contains(b.x, b.y) {
         Some(whole(a, b))
     } else {

@@ -15,25 +15,26 @@ use core::ptr;
 use crate::{
     num::cast::{signed, unsigned},
     span::Steps,
+    target::keep_rolled,
 };
 
-/// See [`clip`](super::clip). The window is not empty.
+/// See [`clip`](super::clip). Of columns and of rows: where the line begins and ends, and the window, which is not empty.
 #[inline(never)]
-pub(super) fn clip(a: &[i32; 2], b: &[i32; 2], window: &[i32; 4]) -> Option<Steps> {
-    let [x0, y0, x1, y1] = *window;
-    let up = a[1] > b[1];
-    let (top, bottom) = if up { (b, a) } else { (a, b) };
-    let mut x = Axis::new(top[0], bottom[0], x0, x1);
-    let mut y = Axis::new(top[1], bottom[1], y0, y1);
+pub(super) fn clip(columns: &[i32; 4], rows: &[i32; 4]) -> Option<Steps> {
+    let up = u32::from(rows[0] > rows[1]);
+    let mut x = Axis::new(columns, up);
+    let mut y = Axis::new(rows, up);
     let y_place = &raw const y;
     let (along, aside) = order(&mut x, &mut y);
     if along.start > along.end || aside.start > aside.end {
         return None;
     }
-    follow(along, aside, u32::from(!up));
-    let rest = follow(along, aside, u32::from(up));
-    let left = along.seen()?;
-    let sideways = aside.span.wrapping_sub(aside.room).wrapping_sub(aside.other_room);
+    follow(along, aside, up ^ 1);
+    let rest = follow(along, aside, up);
+    if along.first() > along.last() {
+        return None;
+    }
+    let (left, sideways) = (along.seen(), aside.seen());
     let (major, minor, steep) = (along.length, aside.length, ptr::eq(along, y_place));
     Some(Steps {
         left,
@@ -105,8 +106,6 @@ struct Axis {
     /// The first and the last position in the window, on the line.
     start: i32,
     end: i32,
-    /// Steps between them.
-    span: u32,
     /// Steps that can still be made without leaving the window.
     room: u32,
     /// The same for the walk back.
@@ -114,23 +113,23 @@ struct Axis {
 }
 
 impl Axis {
+    /// From the upper end of the line to the lower one; `up` is 1 if it was drawn the other way.
     #[inline(never)]
-    fn new(from: i32, to: i32, low: i32, high: i32) -> Self {
-        let turned = if to < from { -1 } else { 0 };
-        let last = high.wrapping_sub(1);
-        let exchange = (low ^ last) & turned ^ turned;
-        let (from, to, low, last) = (from ^ turned, to ^ turned, low ^ exchange, last ^ exchange);
+    fn new(&[a, b, low, high]: &[i32; 4], up: u32) -> Self {
+        let (mut from, mut to, mut low, mut last) = (a, b, low, high.wrapping_sub(1));
+        // Kept as two branches: made conditional, each assignment would cost both ways.
+        if up != 0 {
+            (from, to) = (b, a);
+            keep_rolled();
+        }
+        let mut turned = 0;
+        if to < from {
+            (from, to, low, last, turned) = (!from, !to, !last, !low, -1);
+            keep_rolled();
+        }
         let (start, end) = (low.max(from), last.min(to));
         let steps = |from: i32, to: i32| unsigned(to.wrapping_sub(from));
-        Self {
-            turned,
-            length: steps(from, to),
-            start,
-            end,
-            span: steps(start, end),
-            room: steps(from, end),
-            other_room: steps(start, to),
-        }
+        Self { turned, length: steps(from, to), start, end, room: steps(from, end), other_room: steps(start, to) }
     }
 
     /// Ends a walk, which has left `room` unused.
@@ -140,10 +139,16 @@ impl Axis {
         self.other_room = room;
     }
 
-    /// Steps between the ends of both walks, if they met.
+    /// Where the first walk ended.
     #[inline(always)]
-    fn seen(&self) -> Option<u32> {
-        self.span.checked_sub(self.room)?.checked_sub(self.other_room)
+    fn last(&self) -> i32 {
+        self.end.wrapping_sub(signed(self.room))
+    }
+
+    /// Steps between the ends of both walks.
+    #[inline(always)]
+    fn seen(&self) -> u32 {
+        unsigned(self.last().wrapping_sub(self.first()))
     }
 
     /// Where the walk back ended.
