@@ -105,12 +105,8 @@ pub trait Canvas: Surface {
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels.
     #[inline]
     fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
-        match ellipse::circle(area, self.window()) {
-            Some(circle) => {
-                for span in circle {
-                    self.fill_span(span, color);
-                }
-            }
+        match ellipse::octants(area, self.window()) {
+            Some(octants) => self.fill_octants(octants, color),
             None => ellipse::outline(area, self.window(), |span| self.fill_span(span, color)),
         }
     }

@@ -11,10 +11,11 @@
 
 mod support;
 
-use embedded_graphics_core::pixelcolor::BinaryColor;
+use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
+    buffer_bytes,
     raster::ellipse::{self, Ellipse},
-    Rect, Surface, Vertex,
+    Canvas, Framebuffer, Rect, Surface, Vertex,
 };
 use fixed::types::I24F8;
 use support::{
@@ -102,6 +103,42 @@ fn outlines_are_closed_and_symmetric() {
             }
             assert_eq!(reached, pixels, "{width} x {height} is in pieces");
         }
+    }
+}
+
+/// Circles in memory, and on surfaces that know spans only, from one octant: in every size up to 400 and in some beyond.
+#[test]
+fn octants_are_the_whole_outline() {
+    let mut rng = Rng::new(211);
+    let sizes = (1..=400).chain((0..60).map(|_| rng.int(401, 5_000))).chain([8_191, 8_192, 16_383]);
+    for (i, size) in (0..).zip(sizes) {
+        let area = Rect::new(3, 2, 3 + size, 2 + size);
+        let window = Rect::new(0, 0, size + 5, size + 4);
+        let wanted = outlined(area, window);
+        if size <= 5_000 {
+            let mut hits = Hits::new(window);
+            hits.draw_ellipse(area, BinaryColor::On);
+            assert_runs(window, &hits.runs(), &wanted, || format!("spans of a circle of {size} pixels"));
+        }
+        let side = (size + 5) as u16;
+        let mut memory = vec![0; buffer_bytes::<BinaryColor>(side, side)];
+        let mut frame = Framebuffer::<BinaryColor>::new(&mut memory, side, side).expect("enough memory");
+        // By turns where a row is a whole number of bytes, in a view, and in a part of it.
+        let (mut view, place) = match i % 3 {
+            0 => (frame.view(window), area),
+            1 => (frame.view(area), Rect::new(0, 0, size, size)),
+            _ => (frame.clipped(area), area),
+        };
+        view.draw_ellipse(place, BinaryColor::On);
+        let mut pixels = 0;
+        for &(y, x0, x1) in &wanted {
+            assert!(
+                (x0..x1).all(|x| frame.get(Point::new(x, y)) == Some(BinaryColor::On)),
+                "circle of {size}, row {y}"
+            );
+            pixels += (x1 - x0) as u32;
+        }
+        assert_eq!(memory.iter().map(|byte| byte.count_ones()).sum::<u32>(), pixels, "circle of {size}");
     }
 }
 

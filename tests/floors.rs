@@ -9,11 +9,12 @@ use std::{
 };
 
 /// The table of the floors, as in ARCHITECTURE.md. `lib.rs` stands above them all.
-const FLOORS: [(&str, u32); 16] = [
+const FLOORS: [(&str, u32); 17] = [
     ("target", 0),
     ("num", 0),
     ("rect", 0),
     ("span", 0),
+    ("octants", 0),
     ("error", 0),
     ("geom", 1),
     ("pixel", 1),
@@ -30,7 +31,7 @@ const FLOORS: [(&str, u32); 16] = [
 ];
 
 /// Floor 0 has its own order, so that words do not refer to each other in circles.
-const GROUND: [&str; 5] = ["target", "num", "rect", "span", "error"];
+const GROUND: [&str; 6] = ["target", "num", "rect", "span", "octants", "error"];
 
 fn floor(module: &str) -> u32 {
     let known = FLOORS.iter().find(|(name, _)| *name == module);

@@ -16,6 +16,7 @@ use crate::{
         cast::{low_u16, low_u8, offset},
         round::fraction,
     },
+    octants::Octants,
     span::Steps,
     target::{keep_rolled, COMPACT, DIVIDES},
 };
@@ -33,6 +34,77 @@ pub(crate) fn draw<F: PixelFormat>(memory: &mut [u8], stride: usize, start: (usi
             // Pixels are counted through the whole memory: rows start on a byte.
             let pitch = stride.wrapping_mul((8 / F::BITS) as usize);
             count(steps, start, 1, pitch, |at| packed::set::<F>(memory, 0, at, bits));
+        }
+    }
+}
+
+/// Writes `bits` along the outline of a circle, whose box starts at a row and a pixel of it.
+#[inline(always)]
+pub(crate) fn draw_octants<F: PixelFormat>(
+    memory: &mut [u8],
+    stride: usize,
+    start: (usize, usize),
+    octants: Octants,
+    bits: u32,
+) {
+    if F::BITS < 8 {
+        let pitch = stride.wrapping_mul((8 / F::BITS) as usize);
+        return mirror(memory, octants, start, (1, pitch), |memory, at| packed::set::<F>(memory, 0, at, bits));
+    }
+    if F::BITS != 16 || !stride.is_multiple_of(2) {
+        let pixel = bytes_per_pixel::<F>();
+        return mirror(memory, octants, start, (pixel, stride), |memory, at| word::set::<F>(memory, at, bits));
+    }
+    let (_, pixels, _) = pod_align_to_mut::<u8, [u8; 2]>(memory);
+    let pixel = low_u16(bits).to_le_bytes();
+    mirror(pixels, octants, start, (1, stride / 2), |pixels, at| {
+        if let Some(place) = pixels.get_mut(at) {
+            *place = pixel;
+        }
+    });
+}
+
+/// Calls `set` with the places of all pixels, `pixel` apart in a row and `pitch` from row to row.
+#[inline(always)]
+fn mirror<T>(
+    memory: &mut [T],
+    octants: Octants,
+    (row, x): (usize, usize),
+    (pixel, pitch): (usize, usize),
+    set: impl Fn(&mut [T], usize) + Copy,
+) {
+    let (extent, odd) = (offset(octants.extent()), offset(octants.offsets().0));
+    let first = row.wrapping_mul(pitch).wrapping_add(x.wrapping_mul(pixel));
+    let both = pitch.wrapping_add(pixel);
+    // The first place and the last of the box together: a place and the one opposite of it.
+    let sum = first.wrapping_mul(2).wrapping_add(extent.wrapping_mul(both));
+    for (outwards, inwards) in [(pixel, pitch), (pitch, pixel)] {
+        let left = first.wrapping_add((extent >> 1).wrapping_mul(outwards));
+        let right = left.wrapping_add(odd.wrapping_mul(outwards));
+        images(memory, octants, (left, right, sum), (outwards, inwards), set);
+    }
+}
+
+/// Four of the eight images, two of them opposite of the others: all at once would need more registers than there are.
+///
+/// At every step the two move apart, and at some inwards together.
+#[inline(never)]
+fn images<T>(
+    memory: &mut [T],
+    mut octants: Octants,
+    (mut left, mut right, sum): (usize, usize, usize),
+    (outwards, inwards): (usize, usize),
+    set: impl Fn(&mut [T], usize),
+) {
+    loop {
+        for place in [left, right, sum.wrapping_sub(left), sum.wrapping_sub(right)] {
+            set(memory, place);
+        }
+        let Some(inner) = octants.next_is_inner() else { return };
+        (left, right) = (left.wrapping_sub(outwards), right.wrapping_add(outwards));
+        if inner {
+            (left, right) = (left.wrapping_add(inwards), right.wrapping_add(inwards));
+            keep_rolled();
         }
     }
 }

@@ -8,6 +8,7 @@ use super::{Bitmap, Surface};
 use crate::{
     error::Error,
     num::cast::index,
+    octants::Octants,
     pixel::{self, row_bytes, scan, PixelFormat},
     rect::Rect,
     span::{ClippedSpan, Steps},
@@ -328,5 +329,12 @@ impl<F: PixelFormat> Surface for Framebuffer<'_, F> {
         let (x, y) = steps.first();
         let start = (index(y.wrapping_add(self.row)), self.x(x));
         pixel::walk::draw::<F>(self.memory, self.stride, start, steps, F::pack(color));
+    }
+
+    #[inline]
+    fn fill_octants(&mut self, octants: Octants, color: F::Color) {
+        let (x, y) = octants.first();
+        let start = (index(y.wrapping_add(self.row)), self.x(x));
+        pixel::walk::draw_octants::<F>(self.memory, self.stride, start, octants, F::pack(color));
     }
 }

@@ -18,6 +18,7 @@ pub use self::{
     paged::{paged_bytes, Paged},
 };
 use crate::{
+    octants::Octants,
     rect::Rect,
     span::{ClippedSpan, Span, Steps},
 };
@@ -70,5 +71,11 @@ pub trait Surface {
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: Self::Color) {
         steps.spans(|span| self.fill_span(span, color));
+    }
+
+    /// Paints the outline of a circle that lies in the window as a whole.
+    #[inline]
+    fn fill_octants(&mut self, octants: Octants, color: Self::Color) {
+        octants.spans(|span| self.fill_span(span, color));
     }
 }

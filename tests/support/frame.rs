@@ -14,13 +14,14 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::{row_bytes, Lsb0},
-    Bitmap, Canvas, Edge, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
+    Bitmap, Canvas, Edge, Ellipse, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
 };
 
 use super::{
     corners,
     memory::{Format, Naive},
     rng::Rng,
+    runs_where,
     scenes::{ends_of_line, outline, Scale},
     twins, vertices, Units,
 };
@@ -32,6 +33,8 @@ pub(crate) enum Shape {
     Triangle([Units; 3]),
     Polygon(Vec<Units>),
     Rectangle([Units; 3]),
+    Disc(Rect),
+    Circle(Rect),
 }
 
 impl Shape {
@@ -39,7 +42,7 @@ impl Shape {
     pub(crate) fn random(rng: &mut Rng) -> Self {
         let scale = rng.pick(&Scale::ALL);
         let place = |rng: &mut Rng| (rng.int(-2_000, 14_000), rng.int(-1_500, 10_000));
-        match rng.below(8) {
+        match rng.below(10) {
             0 => {
                 let [a, b] = ends_of_line(rng, scale);
                 Self::Line(a, b)
@@ -59,6 +62,18 @@ impl Shape {
                 Self::Triangle([place(rng), far[0], far[1]])
             }
             5 => Self::Rectangle([place(rng), place(rng), place(rng)]),
+            8 | 9 => {
+                let (x, y) = (rng.int(-9, 40), rng.int(-9, 30));
+                let (width, height) = (rng.int(0, 33), rng.int(0, 33));
+                // Most of them round, and many of those wholly inside.
+                let height = if rng.below(4) == 0 { height } else { width };
+                let area = Rect::new(x, y, x + width, y + height);
+                if rng.below(2) == 0 {
+                    Self::Disc(area)
+                } else {
+                    Self::Circle(area)
+                }
+            }
             _ => Self::Polygon((0..rng.range(3, 9)).map(|_| place(rng)).collect()),
         }
     }
@@ -75,6 +90,8 @@ impl Shape {
                 let [a, b, _] = corners(*units);
                 surface.fill_rectangle(a, b, color);
             }
+            Self::Disc(area) => surface.fill_ellipse(Ellipse::in_box(*area), color),
+            Self::Circle(area) => surface.draw_ellipse(*area, color),
         }
     }
 
@@ -85,6 +102,8 @@ impl Shape {
             Self::Triangle(units) => twins::triangle(*units, window),
             Self::Polygon(units) => twins::polygon(std::slice::from_ref(units), FillRule::EvenOdd, window),
             Self::Rectangle([a, b, _]) => twins::rectangle(*a, *b, window),
+            Self::Disc(area) => runs_where(window, |x, y| twins::box_ellipse_has(*area, x, y)),
+            Self::Circle(area) => runs_where(window, |x, y| twins::outline_has(*area, x, y)),
         };
         runs.into_iter().flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y))).collect()
     }

@@ -38,7 +38,7 @@ use core::num::Wrapping;
 use fixed::types::I24F8;
 
 use self::form::Rows;
-pub(crate) use self::outline::circle;
+pub(crate) use self::outline::octants;
 pub use self::outline::{enclosed, outline};
 pub(super) use self::{
     form::{Follower, Form, Number},

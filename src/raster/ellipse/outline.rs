@@ -8,9 +8,10 @@ use super::{
 };
 use crate::{
     num::cast::{narrow, signed, unsigned},
+    octants::Octants,
     rect::Rect,
     span::{ClippedSpan, Span},
-    target::{keep_rolled, COMPACT},
+    target::COMPACT,
 };
 
 /// Emits the spans of the outline of the ellipse in a box that lie in `window`, top row first: one or two a row.
@@ -42,118 +43,14 @@ fn draw<const FILLED: bool>(area: Rect, window: Rect, mut emit: impl FnMut(Clipp
     if clip.is_empty() {
         return;
     }
-    match circle(area, window) {
-        Some(circle) if !FILLED => circle.for_each(emit),
-        _ => draw_any::<FILLED>(area, clip, &mut emit),
-    }
+    draw_any::<FILLED>(area, clip, &mut emit);
 }
 
-/// The outline of a small circle, if all of it lies in the window.
+/// The outline of a circle, if it is small and all of it lies in the window: what is drawn most.
 #[inline(always)]
-pub(crate) fn circle(area: Rect, window: Rect) -> Option<Circle> {
+pub(crate) fn octants(area: Rect, window: Rect) -> Option<Octants> {
     let inside = area.intersection(window) == area && !area.is_empty();
-    (!COMPACT && inside && is_small_disc(area)).then(|| Circle::new(area))
-}
-
-/// The spans of a whole circle: [`draw_by`] without what clipping takes, and with fewer registers.
-pub(crate) struct Circle {
-    /// F of the next column at the lower end of the row, and what it gains to the one after that.
-    columns: (i32, i32),
-    /// The same for the midpoint to the next column, on the row.
-    midpoints: (i32, i32),
-    /// What `midpoints` gains to the next row.
-    down: i32,
-    /// The columns so far: at the upper end of the row, and the nearest one on the row.
-    above: i32,
-    nearest: i32,
-    middle: i32,
-    /// Both ends of a row together.
-    sum: i32,
-    x1: i32,
-    y: i32,
-    y1: i32,
-    /// The right half of the row whose left half came last, if it is apart.
-    right: (i32, i32),
-}
-
-impl Circle {
-    #[inline(always)]
-    fn new(area: Rect) -> Self {
-        let Rect { x0, y0, x1, y1 } = area;
-        let a = x1.wrapping_sub(x0).wrapping_sub(1);
-        let square = |n: i32| n.wrapping_mul(n);
-        let value = |u: i32, v: i32| square(u).wrapping_add(square(v)).wrapping_sub(square(a)).wrapping_sub(1) >> 2;
-        // From the middle of the first row, v = -a: u = 0 or 1 for the columns, one more for the midpoint to the next.
-        let odd = a & 1;
-        let middle = x0.wrapping_add(x1.wrapping_sub(x0) >> 1);
-        Self {
-            columns: (value(odd, 1_i32.wrapping_sub(a)), odd + 1),
-            midpoints: (value(odd + 1, a), odd + 2),
-            down: 1_i32.wrapping_sub(a),
-            above: middle,
-            nearest: middle,
-            middle,
-            sum: x0.wrapping_add(x1),
-            x1,
-            y: y0,
-            y1,
-            right: (0, 0),
-        }
-    }
-}
-
-impl Iterator for Circle {
-    type Item = ClippedSpan;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<ClippedSpan> {
-        let (low, end) = self.right;
-        if low != end {
-            self.right = (0, 0);
-            return Some(ClippedSpan::inside(self.y.wrapping_sub(1), low, end));
-        }
-        if self.y >= self.y1 {
-            return None;
-        }
-        let below = follow(&mut self.columns, self.above, self.middle, self.x1);
-        self.nearest = follow(&mut self.midpoints, self.nearest, self.middle, self.x1.wrapping_sub(1));
-        let low = self.above.min(below).min(self.nearest);
-        let end = self.above.max(below).max(self.nearest.wrapping_add(1));
-        self.above = below;
-        self.midpoints.0 = self.midpoints.0.wrapping_add(self.down);
-        self.columns.0 = self.columns.0.wrapping_add(self.down).wrapping_add(1);
-        self.down = self.down.wrapping_add(2);
-        let y = self.y;
-        self.y = y.wrapping_add(1);
-        let (start, left_end) = (self.sum.wrapping_sub(end), self.sum.wrapping_sub(low));
-        if left_end >= low {
-            return Some(ClippedSpan::inside(y, start, end));
-        }
-        self.right = (low, end);
-        Some(ClippedSpan::inside(y, start, left_end))
-    }
-}
-
-/// Counts columns on or back until `(f, step)` is that of the first one outside: none before `from`, none from `to` on.
-#[inline(always)]
-fn follow((f, step): &mut (i32, i32), mut at: i32, from: i32, to: i32) -> i32 {
-    while *f < 0 && at < to {
-        *f = f.wrapping_add(*step);
-        *step = step.wrapping_add(2);
-        at = at.wrapping_add(1);
-        keep_rolled();
-    }
-    while at > from {
-        let before = f.wrapping_sub(*step).wrapping_add(2);
-        if before < 0 {
-            break;
-        }
-        *f = before;
-        *step = step.wrapping_sub(2);
-        at = at.wrapping_sub(1);
-        keep_rolled();
-    }
-    at
+    (!COMPACT && inside && is_small_disc(area)).then(|| Octants::new(area))
 }
 
 #[inline(never)]
