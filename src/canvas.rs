@@ -11,8 +11,11 @@ use crate::{
     error::Error,
     geom::{Path, PathSegment, Vertex},
     raster::{
-        arc, ellipse, line, outline, polygon, rectangle, rounded, stroke::Dashing, triangle, Edge, Ellipse, FillRule,
-        Radii, Sector, Stroke,
+        arc,
+        ellipse::{self, Disc},
+        line, outline, polygon, rectangle, rounded,
+        stroke::Dashing,
+        triangle, Edge, Ellipse, FillRule, Radii, Sector, Stroke,
     },
     rect::Rect,
     span::ClippedSpan,
@@ -93,11 +96,7 @@ pub trait Canvas: Surface {
     fn fill_ellipse(&mut self, ellipse: Ellipse, color: Self::Color) {
         // The loop over a small disc is compiled together with the surface's code.
         match ellipse::disc(&ellipse, self.window()) {
-            Some(disc) => {
-                for span in disc {
-                    self.fill_span(span, color);
-                }
-            }
+            Some(disc) => fill_mirrored(self, disc, color),
             None => ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color)),
         }
     }
@@ -178,6 +177,9 @@ pub trait Canvas: Surface {
         // The rows between the corners at once.
         let (window, middle) = (self.window(), rounded::straight(area, radii));
         self.fill_area(middle, color);
+        if let Some(corners) = rounded::corners(area, radii, window) {
+            return fill_mirrored(self, corners, color);
+        }
         for part in [Rect { y1: window.y1.min(middle.y0), ..window }, Rect { y0: window.y0.max(middle.y1), ..window }] {
             rounded::fill(area, radii, part, |span| self.fill_span(span, color));
         }
@@ -342,6 +344,17 @@ pub trait Canvas: Surface {
 }
 
 impl<S: Surface + ?Sized> Canvas for S {}
+
+/// Fills a disc or the corners of a rounded rectangle: two rows at a time, the middle one once.
+#[inline(never)]
+fn fill_mirrored<S: Surface + ?Sized>(surface: &mut S, disc: Disc, color: S::Color) {
+    for [upper, lower] in disc {
+        surface.fill_span(upper, color);
+        if lower.y() != upper.y() {
+            surface.fill_span(lower, color);
+        }
+    }
+}
 
 /// A surface and the colour that spans are painted with.
 struct Brush<'a, S: Surface + ?Sized> {

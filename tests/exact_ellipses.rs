@@ -106,9 +106,10 @@ fn outlines_are_closed_and_symmetric() {
     }
 }
 
-/// Circles in memory, and on surfaces that know spans only, from one octant: in every size up to 400 and in some beyond.
+/// Whole circles from one octant, in memory and on surfaces that know spans only, and whole discs from their upper half: in
+/// every size up to 400 and in some beyond.
 #[test]
-fn octants_are_the_whole_outline() {
+fn mirror_images_are_the_whole() {
     let mut rng = Rng::new(211);
     let sizes = (1..=400).chain((0..60).map(|_| rng.int(401, 5_000))).chain([8_191, 8_192, 16_383]);
     for (i, size) in (0..).zip(sizes) {
@@ -119,6 +120,9 @@ fn octants_are_the_whole_outline() {
             let mut hits = Hits::new(window);
             hits.draw_ellipse(area, BinaryColor::On);
             assert_runs(window, &hits.runs(), &wanted, || format!("spans of a circle of {size} pixels"));
+            let (ellipse, mut hits) = (Ellipse::in_box(area), Hits::new(window));
+            hits.fill_ellipse(ellipse, BinaryColor::On);
+            assert_runs(window, &hits.runs(), &filled(ellipse, window), || format!("disc of {size} pixels"));
         }
         let side = (size + 5) as u16;
         let mut memory = vec![0; buffer_bytes::<BinaryColor>(side, side)];

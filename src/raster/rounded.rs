@@ -19,11 +19,12 @@
 
 use core::num::Wrapping;
 
-use super::ellipse::{size_of, Border, Follower, Form, Number, Size};
+use super::ellipse::{size_of, Border, Disc, Follower, Form, Number, Size};
 use crate::{
     num::cast::{signed, unsigned},
     rect::Rect,
     span::{ClippedSpan, Span},
+    target::COMPACT,
 };
 
 /// Radii of the four corners, in pixels.
@@ -59,6 +60,15 @@ impl Radii {
     fn largest(self) -> u32 {
         self.top_left.max(self.top_right).max(self.bottom_right).max(self.bottom_left)
     }
+}
+
+/// The rows of the corners, if all are the same and small, and all of the shape lies in the window: what is drawn most.
+#[inline(always)]
+pub(crate) fn corners(area: Rect, radii: Radii, window: Rect) -> Option<Disc> {
+    let inside = area.intersection(window) == area;
+    let radius = radii.limited(area).top_left;
+    (!COMPACT && inside && radii == Radii::all(radii.top_left) && radius <= 1 << 14)
+        .then(|| Disc::new(area, signed(radius).wrapping_mul(2)))
 }
 
 /// The rows between the corners: a plain rectangle.

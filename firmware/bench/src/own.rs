@@ -89,7 +89,7 @@ fn color<F: PixelFormat>(ink: Ink) -> F::Color {
 fn rects<F: PixelFormat>(frame: &mut Frame<F>, rects: &[Rect]) {
     let mut surface = frame.surface();
     for rect in rects {
-        surface.fill_area(rect.area.into(), color::<F>(rect.ink));
+        surface.fill_area(rect.sides, color::<F>(rect.ink));
     }
 }
 
@@ -110,21 +110,21 @@ fn triangles<F: PixelFormat>(frame: &mut Frame<F>, triangles: &[Triangle]) {
 fn discs<F: PixelFormat>(frame: &mut Frame<F>, discs: &[Rect]) {
     let mut surface = frame.surface();
     for disc in discs {
-        surface.fill_ellipse(Ellipse::in_box(disc.area.into()), color::<F>(disc.ink));
+        surface.fill_ellipse(Ellipse::in_box(disc.sides), color::<F>(disc.ink));
     }
 }
 
 fn circles<F: PixelFormat>(frame: &mut Frame<F>, circles: &[Rect]) {
     let mut surface = frame.surface();
     for circle in circles {
-        surface.draw_ellipse(circle.area.into(), color::<F>(circle.ink));
+        surface.draw_ellipse(circle.sides, color::<F>(circle.ink));
     }
 }
 
 fn rounded<F: PixelFormat>(frame: &mut Frame<F>, rects: &[Rect]) {
     let mut surface = frame.surface();
     for rect in rects {
-        surface.fill_rounded(rect.area.into(), Radii::all(corner()), color::<F>(rect.ink));
+        surface.fill_rounded(rect.sides, Radii::all(corner()), color::<F>(rect.ink));
     }
 }
 
@@ -134,9 +134,9 @@ fn flood<F: PixelFormat>(frame: &mut Frame<F>, flooded: &Flooded<'_>) {
     if surface.get(flooded.seed).map(F::pack) == Some(0) {
         for shape in flooded.shapes {
             if flooded.round {
-                surface.fill_ellipse(Ellipse::in_box(shape.area.into()), ground);
+                surface.fill_ellipse(Ellipse::in_box(shape.sides), ground);
             } else {
-                surface.fill_area(shape.area.into(), ground);
+                surface.fill_area(shape.sides, ground);
             }
         }
     }

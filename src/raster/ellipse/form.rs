@@ -5,7 +5,7 @@ use core::{
     ops::{Add, AddAssign, BitAnd, Mul, Shr, Sub, SubAssign},
 };
 
-use super::Ellipse;
+use super::{Curve, Ellipse};
 use crate::{
     num::cast::{narrow, signed, unsigned},
     rect::Rect,
@@ -170,9 +170,10 @@ impl<T: Number> Rows<T> {
     /// From the first row of `clip` on, which lies inside of the ellipse's box.
     #[inline(always)]
     pub(in crate::raster) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
-        let form = Form::new(ellipse.radii, ellipse.shift);
+        let Curve { radii, shift, .. } = ellipse.curve();
+        let form = Form::new(radii, shift);
         let v = ellipse.v(clip.y0);
-        if ellipse.closed {
+        if ellipse.curve.is_none() {
             // The box is symmetric: one side, for all distances from the middle that are visible on either side.
             let (from, max) = mirrored(ellipse, clip);
             let right = Follower::new(&form, (ellipse.u(from), v), 1, max);
@@ -182,7 +183,7 @@ impl<T: Number> Rows<T> {
         let from = ellipse.middle().max(clip.x0).min(clip.x1);
         let max = |a: i32, b: i32| unsigned(b.wrapping_sub(a));
         let right = Follower::new(&form, (ellipse.u(from), v), 0, max(from, clip.x1));
-        let last = ellipse.u(from).wrapping_sub(1_i64.wrapping_shl(ellipse.shift)).wrapping_neg();
+        let last = ellipse.u(from).wrapping_sub(1_i64.wrapping_shl(shift)).wrapping_neg();
         let left = Follower::new(&form, (last, v), 1, max(clip.x0, from));
         Self { right, left, from, mirror: None }
     }

@@ -47,7 +47,7 @@ pub(super) use self::{
 use crate::{
     geom::{bits, Vertex},
     num::{
-        cast::{narrow, saturate},
+        cast::{narrow, saturate, unsigned},
         round::difference,
     },
     rect::Rect,
@@ -61,15 +61,20 @@ mod outline;
 /// An ellipse with axes along x and y, as the pixels that it fills.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Ellipse {
+    /// Nothing is drawn outside of it.
+    extent: Rect,
+    /// Nothing if it touches the sides of its extent: then the curve itself is inside.
+    curve: Option<Curve>,
+}
+
+/// Where the curve runs.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+struct Curve {
     /// The centre, from the corner of pixel (0, 0), in units of `2^-shift` pixels.
     centre: (i64, i64),
     /// Semi-axes in these units.
     radii: (i64, i64),
     shift: u32,
-    /// Whether the curve itself is inside.
-    closed: bool,
-    /// Nothing is drawn outside of it.
-    extent: Rect,
 }
 
 impl Ellipse {
@@ -77,9 +82,7 @@ impl Ellipse {
     /// curve is inside. An empty box has no ellipse.
     #[inline]
     pub const fn in_box(area: Rect) -> Self {
-        let (x0, y0, x1, y1) = (area.x0 as i64, area.y0 as i64, area.x1 as i64, area.y1 as i64);
-        let (width, height) = (area.width() as i64, area.height() as i64);
-        Self { centre: (x0 + x1, y0 + y1), radii: (width, height), shift: 1, closed: true, extent: area }
+        Self { extent: area, curve: None }
     }
 
     /// An ellipse by its centre and semi-axes, to 1/256 pixel. Without two positive radii it is empty.
@@ -116,7 +119,17 @@ impl Ellipse {
             let (low, high) = (i64::wrapping_sub, i64::wrapping_add);
             Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
         };
-        Self { centre, radii, shift, closed: false, extent }
+        Self { extent, curve: Some(Curve { centre, radii, shift }) }
+    }
+
+    #[inline(always)]
+    fn curve(&self) -> Curve {
+        self.curve.unwrap_or_else(|| {
+            let Rect { x0, y0, x1, y1 } = self.extent;
+            let sum = |a: i32, b: i32| i64::from(a).wrapping_add(b.into());
+            let radii = (self.extent.width().into(), self.extent.height().into());
+            Curve { centre: (sum(x0, x1), sum(y0, y1)), radii, shift: 1 }
+        })
     }
 
     /// Where its pixels are: outside of it there are none.
@@ -128,25 +141,29 @@ impl Ellipse {
     /// Distance of the centre of a column from the centre of the ellipse, in units.
     #[inline(always)]
     pub(super) fn u(&self, x: i32) -> i64 {
-        centre_of(x, self.shift).wrapping_sub(self.centre.0)
+        let Curve { centre, shift, .. } = self.curve();
+        centre_of(x, shift).wrapping_sub(centre.0)
     }
 
     /// Distance of the centre of a row.
     #[inline(always)]
     pub(super) fn v(&self, y: i32) -> i64 {
-        centre_of(y, self.shift).wrapping_sub(self.centre.1)
+        let Curve { centre, shift, .. } = self.curve();
+        centre_of(y, shift).wrapping_sub(centre.1)
     }
 
     /// The first column whose centre lies at or right of the centre.
     #[inline(always)]
     fn middle(&self) -> i32 {
-        first_pixel_from(self.centre.0, self.shift)
+        let Curve { centre, shift, .. } = self.curve();
+        first_pixel_from(centre.0, shift)
     }
 
     /// The narrowest numbers that its form fits into.
     #[inline(always)]
     fn size(&self) -> Size {
-        size_of(self.radii, self.shift)
+        let Curve { radii, shift, .. } = self.curve();
+        size_of(radii, shift)
     }
 }
 
@@ -211,10 +228,7 @@ pub fn fill(ellipse: Ellipse, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
     if clip.is_empty() {
         return;
     }
-    match disc(&ellipse, window) {
-        Some(disc) => disc.for_each(emit),
-        None => fill_any(&ellipse, clip, &mut emit),
-    }
+    fill_any(&ellipse, clip, &mut emit);
 }
 
 /// A disc whose `2 a^2` fits 31 bits.
@@ -228,10 +242,12 @@ fn is_small_disc(area: Rect) -> bool {
 pub(crate) fn disc(ellipse: &Ellipse, window: Rect) -> Option<Disc> {
     let area = ellipse.extent;
     let inside = area.intersection(window) == area && !area.is_empty();
-    (!COMPACT && inside && ellipse.closed && is_small_disc(area)).then(|| Disc::new(area))
+    let diameter = area.x1.wrapping_sub(area.x0);
+    (!COMPACT && inside && ellipse.curve.is_none() && is_small_disc(area)).then(|| Disc::new(area, diameter))
 }
 
-/// The spans of a whole disc: [`fill_by`] without what clipping takes, and with fewer registers.
+/// The rows of a whole disc from the top to the middle, each with the row that mirrors it: [`fill_by`] without what
+/// clipping takes, and with fewer registers.
 ///
 /// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`.
 pub(crate) struct Disc {
@@ -240,43 +256,44 @@ pub(crate) struct Disc {
     step: i32,
     /// What f gains to the next row.
     down: i32,
-    /// The first pixel that is not drawn; the first one right of the middle.
+    /// The first pixel that is not drawn, from the one right of the middle on.
     end: i32,
-    middle: i32,
     /// Both ends of a row together.
     sum: i32,
     y: i32,
-    y1: i32,
+    /// The row that mirrors y, less one.
+    last: i32,
+    /// How many are left.
+    rows: u32,
 }
 
 impl Disc {
+    /// By its box, at most 32,768 pixels wide. In a larger box it is the four corners: the halves of the disc are moved
+    /// apart, and the rows between are left out.
     #[inline(always)]
-    fn new(Rect { x0, y0, x1, y1 }: Rect) -> Self {
-        let diameter = x1.wrapping_sub(x0);
+    pub(super) fn new(Rect { x0, y0, x1, y1 }: Rect, diameter: i32) -> Self {
         // From the middle, u = 0 or 1, on the first row, v = 1 - a.
         let odd = diameter & 1;
-        let middle = x0.wrapping_add(diameter >> 1);
+        let half = diameter.wrapping_add(odd) >> 1;
         Self {
             f: (1 - odd).wrapping_sub(diameter.wrapping_mul(2)) >> 2,
             step: 2 - odd,
             down: 2_i32.wrapping_sub(diameter),
-            end: middle,
-            middle,
+            end: x1.wrapping_sub(half),
             sum: x0.wrapping_add(x1),
             y: y0,
-            y1,
+            last: y1,
+            rows: unsigned(half),
         }
     }
 }
 
 impl Iterator for Disc {
-    type Item = ClippedSpan;
+    type Item = [ClippedSpan; 2];
 
     #[inline(always)]
-    fn next(&mut self) -> Option<ClippedSpan> {
-        if self.y >= self.y1 {
-            return None;
-        }
+    fn next(&mut self) -> Option<[ClippedSpan; 2]> {
+        self.rows = self.rows.checked_sub(1)?;
         while self.f < 0 {
             self.f = self.f.wrapping_add(self.step);
             self.step = self.step.wrapping_add(2);
@@ -284,22 +301,13 @@ impl Iterator for Disc {
             // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
             keep_rolled();
         }
-        while self.end != self.middle {
-            let before = self.f.wrapping_sub(self.step).wrapping_add(2);
-            if before < 0 {
-                break;
-            }
-            self.f = before;
-            self.step = self.step.wrapping_sub(2);
-            self.end = self.end.wrapping_sub(1);
-            keep_rolled();
-        }
         let y = self.y;
         self.f = self.f.wrapping_add(self.down);
         self.down = self.down.wrapping_add(2);
         self.y = y.wrapping_add(1);
+        self.last = self.last.wrapping_sub(1);
         // Never empty: on every row of a disc the pixels next to the middle lie inside.
-        Some(ClippedSpan::inside(y, self.sum.wrapping_sub(self.end), self.end))
+        Some([y, self.last].map(|y| ClippedSpan::inside(y, self.sum.wrapping_sub(self.end), self.end)))
     }
 }
 

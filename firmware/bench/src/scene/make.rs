@@ -17,7 +17,7 @@ const H: i32 = HEIGHT as i32;
 const CENTRE: Point = Point::new(W / 2, H / 2);
 
 pub(super) fn rect(random: &mut Lcg, at: Point, width: u32, height: u32) -> Rect {
-    Rect { area: Rectangle::new(at, Size::new(width, height)), ink: random.ink() }
+    Rect::new(Rectangle::new(at, Size::new(width, height)), random.ink())
 }
 
 /// Rectangles of one size anywhere in the frame.
@@ -217,7 +217,7 @@ pub(super) fn spiral(random: &mut Lcg) -> [Rect; MAZE] {
             (left, top, right, bottom) = (left + 2, top + 2, right - 2, bottom - 2);
         }
         let size = Size::new((b.0 - a.0 + 1) as u32, (b.1 - a.1 + 1) as u32);
-        Rect { area: Rectangle::new(a.into(), size), ink }
+        Rect::new(Rectangle::new(a.into(), size), ink)
     })
 }
 

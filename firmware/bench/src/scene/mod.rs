@@ -1,8 +1,8 @@
 //! The workloads: what is drawn, as data that is the same for every engine and every chip.
 //!
 //! Everything lies inside the frame, so that engines without clipping can take part. Corners are
-//! pixel centres; they are given as pixels and as 24.8 units, because neither kind of engine should
-//! pay for a conversion.
+//! pixel centres; they are given as pixels and as 24.8 units, and rectangles by size and by sides,
+//! because neither kind of engine should pay for a conversion.
 
 mod lcg;
 mod make;
@@ -37,8 +37,17 @@ pub type Units = [i32; 2];
 pub struct Rect {
     /// Its pixels.
     pub area: Rectangle,
+    /// The same pixels.
+    pub sides: embedded_raster::Rect,
     /// Its colour.
     pub ink: Ink,
+}
+
+impl Rect {
+    /// Both ways to say which pixels.
+    pub fn new(area: Rectangle, ink: Ink) -> Self {
+        Self { area, sides: area.into(), ink }
+    }
 }
 
 /// A line, both ends drawn.
