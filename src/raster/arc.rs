@@ -18,7 +18,7 @@
 //!
 //! Range: any ellipse, any angles.
 
-use super::ellipse::{self, AnyRows, Ellipse};
+use super::ellipse::{self, AnyRows, Curve, Ellipse};
 use crate::{
     geom::Angle,
     num::cast::{signed, unsigned},
@@ -74,13 +74,14 @@ fn is_after((x, y): (i32, i32), u: i64, v: i64) -> bool {
 /// assert_eq!(spans, [(0, 3, 4), (1, 1, 3), (2, 1, 2), (3, 0, 1), (4, 0, 1)]);
 /// ```
 pub fn outline(area: Rect, sector: Sector, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    let places = Ellipse::in_box(area);
-    ellipse::outline(area, window, |span| split(&places, &sector, span, &mut emit));
+    let curve = Ellipse::in_box(area).curve();
+    ellipse::outline(area, window, |span| split(&curve, &sector, span, &mut emit));
 }
 
 /// Emits the spans of a sector of a filled ellipse (a slice of a pie) that lie in `window`, top row first.
 pub fn fill(ellipse: Ellipse, sector: Sector, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    ellipse::fill(ellipse, window, |span| split(&ellipse, &sector, span, &mut emit));
+    let curve = ellipse.curve();
+    ellipse::fill(ellipse, window, |span| split(&curve, &sector, span, &mut emit));
 }
 
 /// Emits the spans of the pixels of `outer` that are not pixels of `inner`, top row first.
@@ -118,20 +119,21 @@ pub fn ring(outer: Ellipse, inner: Ellipse, window: Rect, mut emit: impl FnMut(C
 
 /// Emits the spans of a sector of a ring, top row first. The sector's centre is that of `outer`.
 pub fn ring_sector(outer: Ellipse, inner: Ellipse, sector: Sector, window: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    ring(outer, inner, window, |span| split(&outer, &sector, span, &mut emit));
+    let curve = outer.curve();
+    ring(outer, inner, window, |span| split(&curve, &sector, span, &mut emit));
 }
 
 /// Emits the parts of a span that lie in a sector: two at most.
-fn split(ellipse: &Ellipse, sector: &Sector, span: ClippedSpan, emit: &mut impl FnMut(ClippedSpan)) {
+fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, emit: &mut impl FnMut(ClippedSpan)) {
     let (x0, x1, y) = (span.x0(), span.x1(), span.y());
-    let v = ellipse.v(y);
+    let v = curve.v(y);
     let change = |direction: (i32, i32)| {
-        let at_start = is_after(direction, ellipse.u(x0), v);
+        let at_start = is_after(direction, curve.u(x0), v);
         // The first pixel that is not like the first one.
         let (mut low, mut high) = (x0, x1);
         while low < high {
             let middle = low.wrapping_add(span_half(low, high));
-            if is_after(direction, ellipse.u(middle), v) == at_start {
+            if is_after(direction, curve.u(middle), v) == at_start {
                 low = middle.wrapping_add(1);
             } else {
                 high = middle;
@@ -141,13 +143,13 @@ fn split(ellipse: &Ellipse, sector: &Sector, span: ClippedSpan, emit: &mut impl 
     };
     // In most spans nothing changes: the last pixel tells.
     let last = x1.wrapping_sub(1);
-    let same = |d| is_after(d, ellipse.u(x0), v) == is_after(d, ellipse.u(last), v);
+    let same = |d| is_after(d, curve.u(x0), v) == is_after(d, curve.u(last), v);
     let place = |d| if same(d) { x1 } else { change(d) };
     let (a, b) = (place(sector.from), place(sector.to));
     let window = Rect { x0, y0: y, x1, y1: y.wrapping_add(1) };
     let mut start = x0;
     for end in [a.min(b), a.max(b), x1] {
-        if start < end && sector.contains(ellipse.u(start), v) {
+        if start < end && sector.contains(curve.u(start), v) {
             if let Some(part) = (Span { y, x0: start, x1: end }).clip_columns(window) {
                 emit(part);
             }

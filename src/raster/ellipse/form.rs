@@ -5,7 +5,7 @@ use core::{
     ops::{Add, AddAssign, BitAnd, Mul, Shr, Sub, SubAssign},
 };
 
-use super::{Curve, Ellipse};
+use super::Curve;
 use crate::{
     num::cast::{narrow, signed, unsigned},
     rect::Rect,
@@ -169,21 +169,20 @@ pub(in crate::raster) struct Rows<T> {
 impl<T: Number> Rows<T> {
     /// From the first row of `clip` on, which lies inside of the ellipse's box.
     #[inline(always)]
-    pub(in crate::raster) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
-        let Curve { radii, shift, .. } = ellipse.curve();
-        let form = Form::new(radii, shift);
-        let v = ellipse.v(clip.y0);
-        if ellipse.curve.is_none() {
+    pub(super) fn new(curve: &Curve, clip: Rect) -> Self {
+        let form = Form::new(curve.radii, curve.shift);
+        let v = curve.v(clip.y0);
+        if curve.closed {
             // The box is symmetric: one side, for all distances from the middle that are visible on either side.
-            let (from, max) = mirrored(ellipse, clip);
-            let right = Follower::new(&form, (ellipse.u(from), v), 1, max);
-            let sum = ellipse.extent.x0.wrapping_add(ellipse.extent.x1);
+            let (from, max) = mirrored(curve, clip);
+            let right = Follower::new(&form, (curve.u(from), v), 1, max);
+            let sum = narrow(curve.centre.0);
             return Self { right, left: right, from, mirror: Some(sum) };
         }
-        let from = ellipse.middle().max(clip.x0).min(clip.x1);
+        let from = curve.middle().max(clip.x0).min(clip.x1);
         let max = |a: i32, b: i32| unsigned(b.wrapping_sub(a));
-        let right = Follower::new(&form, (ellipse.u(from), v), 0, max(from, clip.x1));
-        let last = ellipse.u(from).wrapping_sub(1_i64.wrapping_shl(shift)).wrapping_neg();
+        let right = Follower::new(&form, (curve.u(from), v), 0, max(from, clip.x1));
+        let last = curve.u(from).wrapping_sub(1_i64.wrapping_shl(curve.shift)).wrapping_neg();
         let left = Follower::new(&form, (last, v), 1, max(clip.x0, from));
         Self { right, left, from, mirror: None }
     }
@@ -204,10 +203,9 @@ impl<T: Number> Rows<T> {
 /// For a symmetric ellipse: the first pixel at or right of the middle whose distance is visible on one of the sides, and
 /// how many there are from it on.
 #[inline(always)]
-pub(super) fn mirrored(ellipse: &Ellipse, clip: Rect) -> (i32, u32) {
-    let (x0, x1) = (i64::from(ellipse.extent.x0), i64::from(ellipse.extent.x1));
-    let first = i64::from(ellipse.middle());
-    let (left_end, left_start) = (x0 + x1 - i64::from(clip.x0), x0 + x1 - i64::from(clip.x1));
+pub(super) fn mirrored(curve: &Curve, clip: Rect) -> (i32, u32) {
+    let first = i64::from(curve.middle());
+    let (left_end, left_start) = (curve.centre.0 - i64::from(clip.x0), curve.centre.0 - i64::from(clip.x1));
     let (right_start, right_end) = (i64::from(clip.x0), i64::from(clip.x1));
     // On a clip across the middle one of the two starts lies left of it.
     let from = first.max(right_start).max(left_start);

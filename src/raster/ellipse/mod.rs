@@ -69,12 +69,14 @@ pub struct Ellipse {
 
 /// Where the curve runs.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-struct Curve {
+pub(super) struct Curve {
     /// The centre, from the corner of pixel (0, 0), in units of `2^-shift` pixels.
     centre: (i64, i64),
     /// Semi-axes in these units.
     radii: (i64, i64),
     shift: u32,
+    /// Whether the curve itself is inside: the box of `closed` curves is symmetric, and the shift is 1.
+    closed: bool,
 }
 
 impl Ellipse {
@@ -119,16 +121,17 @@ impl Ellipse {
             let (low, high) = (i64::wrapping_sub, i64::wrapping_add);
             Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
         };
-        Self { extent, curve: Some(Curve { centre, radii, shift }) }
+        Self { extent, curve: Some(Curve { centre, radii, shift, closed: false }) }
     }
 
+    /// Its curve, made of the extent if need be.
     #[inline(always)]
-    fn curve(&self) -> Curve {
+    pub(super) fn curve(&self) -> Curve {
         self.curve.unwrap_or_else(|| {
             let Rect { x0, y0, x1, y1 } = self.extent;
             let sum = |a: i32, b: i32| i64::from(a).wrapping_add(b.into());
             let radii = (self.extent.width().into(), self.extent.height().into());
-            Curve { centre: (sum(x0, x1), sum(y0, y1)), radii, shift: 1 }
+            Curve { centre: (sum(x0, x1), sum(y0, y1)), radii, shift: 1, closed: true }
         })
     }
 
@@ -137,33 +140,31 @@ impl Ellipse {
     pub const fn extent(&self) -> Rect {
         self.extent
     }
+}
 
+impl Curve {
     /// Distance of the centre of a column from the centre of the ellipse, in units.
     #[inline(always)]
     pub(super) fn u(&self, x: i32) -> i64 {
-        let Curve { centre, shift, .. } = self.curve();
-        centre_of(x, shift).wrapping_sub(centre.0)
+        centre_of(x, self.shift).wrapping_sub(self.centre.0)
     }
 
     /// Distance of the centre of a row.
     #[inline(always)]
     pub(super) fn v(&self, y: i32) -> i64 {
-        let Curve { centre, shift, .. } = self.curve();
-        centre_of(y, shift).wrapping_sub(centre.1)
+        centre_of(y, self.shift).wrapping_sub(self.centre.1)
     }
 
     /// The first column whose centre lies at or right of the centre.
     #[inline(always)]
     fn middle(&self) -> i32 {
-        let Curve { centre, shift, .. } = self.curve();
-        first_pixel_from(centre.0, shift)
+        first_pixel_from(self.centre.0, self.shift)
     }
 
     /// The narrowest numbers that its form fits into.
     #[inline(always)]
     fn size(&self) -> Size {
-        let Curve { radii, shift, .. } = self.curve();
-        size_of(radii, shift)
+        size_of(self.radii, self.shift)
     }
 }
 
@@ -314,16 +315,17 @@ impl Iterator for Disc {
 /// All other ellipses, with one copy of the surface's code.
 #[inline(never)]
 fn fill_any(ellipse: &Ellipse, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
-    match ellipse.size() {
-        Size::Small => fill_by::<Wrapping<i32>>(ellipse, clip, emit),
-        Size::Medium => fill_by::<Wrapping<i64>>(ellipse, clip, emit),
-        Size::Large => fill_by::<Wrapping<i128>>(ellipse, clip, emit),
+    let curve = ellipse.curve();
+    match curve.size() {
+        Size::Small => fill_by::<Wrapping<i32>>(&curve, clip, emit),
+        Size::Medium => fill_by::<Wrapping<i64>>(&curve, clip, emit),
+        Size::Large => fill_by::<Wrapping<i128>>(&curve, clip, emit),
     }
 }
 
 #[inline(always)]
-fn fill_by<T: Number>(ellipse: &Ellipse, clip: Rect, mut emit: impl FnMut(ClippedSpan)) {
-    let mut rows = Rows::<T>::new(ellipse, clip);
+fn fill_by<T: Number>(curve: &Curve, clip: Rect, mut emit: impl FnMut(ClippedSpan)) {
+    let mut rows = Rows::<T>::new(curve, clip);
     for y in clip.y0..clip.y1 {
         let (x0, x1) = rows.row();
         if let Some(span) = (Span { y, x0, x1 }).clip_columns(clip) {
@@ -343,10 +345,11 @@ pub(super) enum AnyRows {
 impl AnyRows {
     /// From the first row of `clip` on, which lies inside of the extent.
     pub(super) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
-        match ellipse.size() {
-            Size::Small => Self::Small(Rows::new(ellipse, clip)),
-            Size::Medium => Self::Medium(Rows::new(ellipse, clip)),
-            Size::Large => Self::Large(Rows::new(ellipse, clip)),
+        let curve = ellipse.curve();
+        match curve.size() {
+            Size::Small => Self::Small(Rows::new(&curve, clip)),
+            Size::Medium => Self::Medium(Rows::new(&curve, clip)),
+            Size::Large => Self::Large(Rows::new(&curve, clip)),
         }
     }
 

@@ -70,10 +70,10 @@ fn draw_by<T: Number, const FILLED: bool>(
     clip: Rect,
     mut emit: impl FnMut(ClippedSpan),
 ) {
-    let ellipse = Ellipse::in_box(area);
-    let (from, count) = mirrored(&ellipse, clip);
+    let curve = Ellipse::in_box(area).curve();
+    let (from, count) = mirrored(&curve, clip);
     let outer = from.wrapping_add(signed(count)) < area.x1;
-    let mut side = Border::<T>::new(radii, (ellipse.u(from), ellipse.v(clip.y0)), count, outer);
+    let mut side = Border::<T>::new(radii, (curve.u(from), curve.v(clip.y0)), count, outer);
     let sum = area.x0.wrapping_add(area.x1);
     for y in clip.y0..clip.y1 {
         let (low, end) = side.row();
