@@ -15,6 +15,10 @@ pub(crate) const UNALIGNED: bool = !cfg!(small_core)
     && (ARMV7
         || cfg!(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")));
 
+/// Computers, which have vector registers: a choice without a branch is made for many pixels at once.
+pub(crate) const VECTORS: bool =
+    !cfg!(small_core) && !COMPACT && cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+
 /// Built for size, at opt-level "s" or "z" (see `build.rs`): one short loop is better than three fast ones.
 pub(crate) const COMPACT: bool = cfg!(compact);
 

@@ -11,7 +11,7 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut, Pod};
 use super::{bytes_per_pixel, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::{keep_rolled, COMPACT, UNALIGNED},
+    target::{keep_rolled, COMPACT, UNALIGNED, VECTORS},
 };
 
 /// A word full of pixels, for the formats that repeat in one.
@@ -442,24 +442,32 @@ pub(super) fn get<F: PixelFormat>(memory: &[u8], at: usize) -> u32 {
 /// Copies the pixels of a run that differ from `key`.
 #[inline(always)]
 pub(super) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[u8], key: u32) {
-    /// Whole pixels: bytes of any alignment, one comparison to guard all of a pixel.
-    fn copy<const N: usize>(to: &mut [u8], from: &[u8], key: [u8; N])
-    where
-        [u8; N]: bytemuck::Pod + PartialEq,
+    /// Whole pixels as numbers, one comparison for all of a pixel.
+    #[inline(always)]
+    fn copy<const N: usize, T: Copy + PartialEq>(
+        (to, from): (&mut [u8], &[u8]),
+        key: T,
+        (number, bytes): (impl Fn([u8; N]) -> T, impl Fn(T) -> [u8; N]),
+    ) where
+        [u8; N]: Pod,
     {
         let (_, to, _) = pod_align_to_mut::<u8, [u8; N]>(to);
         let (_, from, _) = pod_align_to::<u8, [u8; N]>(from);
         for (place, pixel) in to.iter_mut().zip(from) {
-            if *pixel != key {
+            let new = number(*pixel);
+            if VECTORS {
+                *place = bytes(if new == key { number(*place) } else { new });
+            } else if new != key {
                 *place = *pixel;
             }
         }
     }
+    let runs = (to, from);
     match F::BITS {
-        8 => copy(to, from, [low_u8(key)]),
-        16 => copy(to, from, low_u16(key).to_le_bytes()),
-        24 => copy(to, from, three(key)),
-        _ => copy(to, from, key.to_le_bytes()),
+        8 => copy(runs, low_u8(key), (u8::from_le_bytes, u8::to_le_bytes)),
+        16 => copy(runs, low_u16(key), (u16::from_le_bytes, u16::to_le_bytes)),
+        24 => copy(runs, three(key), (|pixel| pixel, |pixel| pixel)),
+        _ => copy(runs, key, (u32::from_le_bytes, u32::to_le_bytes)),
     }
 }
 
