@@ -2,7 +2,7 @@
 
 use core::{
     num::Wrapping,
-    ops::{Add, AddAssign, BitAnd, Mul, Shr, Sub, SubAssign},
+    ops::{Add, AddAssign, BitAnd, Shr, Sub, SubAssign},
 };
 
 use super::Curve;
@@ -18,19 +18,24 @@ pub(in crate::raster) trait Number:
     + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>
-    + Mul<Output = Self>
     + Shr<usize, Output = Self>
     + BitAnd<Output = Self>
     + AddAssign
     + SubAssign
 {
     fn of(n: i64) -> Self;
+    fn times(self, other: Self) -> Self;
 }
 
 impl Number for Wrapping<i32> {
     #[inline(always)]
     fn of(n: i64) -> Self {
         Self(narrow(n))
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        self * other
     }
 }
 
@@ -39,12 +44,23 @@ impl Number for Wrapping<i64> {
     fn of(n: i64) -> Self {
         Self(n)
     }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
 }
 
 impl Number for Wrapping<i128> {
     #[inline(always)]
     fn of(n: i64) -> Self {
         Self(n.into())
+    }
+
+    // Of 32-bit words it takes 250 bytes.
+    #[inline(never)]
+    fn times(self, other: Self) -> Self {
+        self * other
     }
 }
 
@@ -64,7 +80,8 @@ impl<T: Number> Form<T> {
     /// With semi-axes a and b. A circle divides by a^2: then p = q = 1.
     #[inline(always)]
     pub(in crate::raster) fn new((a, b): (i64, i64), shift: u32) -> Self {
-        let (aa, bb) = (T::of(a) * T::of(a), T::of(b) * T::of(b));
+        let square = |n: i64| T::of(n).times(T::of(n));
+        let (aa, bb) = (square(a), square(b));
         let (p, q) = if a == b { (T::of(1), T::of(1)) } else { (bb, aa) };
         Self { p, q, aa, shift }
     }
@@ -75,23 +92,23 @@ impl<T: Number> Form<T> {
         let (u, v) = (T::of(u), T::of(v));
         let k = (self.shift as usize).wrapping_add(1);
         let low = T::of(2_i64.wrapping_shl(self.shift).wrapping_sub(1));
-        let (uu, vv) = (u * u - self.aa, v * v);
-        let rest = self.p * (uu & low) + self.q * (vv & low) - T::of(bias);
-        self.p * (uu >> k) + self.q * (vv >> k) + (rest >> k)
+        let (uu, vv) = (u.times(u) - self.aa, v.times(v));
+        let rest = self.p.times(uu & low) + self.q.times(vv & low) - T::of(bias);
+        self.p.times(uu >> k) + self.q.times(vv >> k) + (rest >> k)
     }
 
     /// What F gains from u to the next, and from v to the next.
     #[inline(always)]
     fn steps(&self, u: i64, v: i64) -> (T, T) {
         let half = 1_i64.wrapping_shl(self.shift) >> 1;
-        (self.p * T::of(u.wrapping_add(half)), self.q * T::of(v.wrapping_add(half)))
+        (self.p.times(T::of(u.wrapping_add(half))), self.q.times(T::of(v.wrapping_add(half))))
     }
 
     /// What these gains themselves gain.
     #[inline(always)]
     fn second(&self) -> (T, T) {
         let unit = T::of(1_i64.wrapping_shl(self.shift));
-        (self.p * unit, self.q * unit)
+        (self.p.times(unit), self.q.times(unit))
     }
 }
 
@@ -138,7 +155,8 @@ pub(in crate::raster) struct Follower<T> {
 
 impl<T: Number> Follower<T> {
     /// Starts at u on row v: at most `max` pixels are counted.
-    #[inline(always)]
+    #[cfg_attr(compact, inline(never))]
+    #[cfg_attr(not(compact), inline(always))]
     pub(in crate::raster) fn new(form: &Form<T>, (u, v): (i64, i64), bias: i64, max: u32) -> Self {
         let (step, down) = form.steps(u, v);
         let side = Side { f: form.value(u, v, bias), step, count: 0, max };
@@ -146,7 +164,8 @@ impl<T: Number> Follower<T> {
     }
 
     /// Pixels inside on this row; goes to the next.
-    #[inline(always)]
+    #[cfg_attr(compact, inline(never))]
+    #[cfg_attr(not(compact), inline(always))]
     pub(in crate::raster) fn row(&mut self) -> u32 {
         self.side.settle(self.second.0);
         self.side.f += self.down;
@@ -168,7 +187,8 @@ pub(in crate::raster) struct Rows<T> {
 
 impl<T: Number> Rows<T> {
     /// From the first row of `clip` on, which lies inside of the ellipse's box.
-    #[inline(always)]
+    #[cfg_attr(compact, inline(never))]
+    #[cfg_attr(not(compact), inline(always))]
     pub(super) fn new(curve: &Curve, clip: Rect) -> Self {
         let form = Form::new(curve.radii, curve.shift);
         let v = curve.v(clip.y0);

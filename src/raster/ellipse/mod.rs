@@ -317,9 +317,9 @@ impl Iterator for Disc {
 fn fill_any(ellipse: &Ellipse, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
     let curve = ellipse.curve();
     match curve.size() {
-        Size::Small => fill_by::<Wrapping<i32>>(&curve, clip, emit),
-        Size::Medium => fill_by::<Wrapping<i64>>(&curve, clip, emit),
+        Size::Small if !COMPACT => fill_by::<Wrapping<i32>>(&curve, clip, emit),
         Size::Large => fill_by::<Wrapping<i128>>(&curve, clip, emit),
+        _ => fill_by::<Wrapping<i64>>(&curve, clip, emit),
     }
 }
 
@@ -347,9 +347,9 @@ impl AnyRows {
     pub(super) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
         let curve = ellipse.curve();
         match curve.size() {
-            Size::Small => Self::Small(Rows::new(&curve, clip)),
-            Size::Medium => Self::Medium(Rows::new(&curve, clip)),
+            Size::Small if !COMPACT => Self::Small(Rows::new(&curve, clip)),
             Size::Large => Self::Large(Rows::new(&curve, clip)),
+            _ => Self::Medium(Rows::new(&curve, clip)),
         }
     }
 

@@ -57,9 +57,9 @@ pub(crate) fn octants(area: Rect, window: Rect) -> Option<Octants> {
 fn draw_any<const FILLED: bool>(area: Rect, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
     let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
     match size_of(radii, 1) {
-        Size::Small => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
-        Size::Medium => draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit),
+        Size::Small if !COMPACT => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
         Size::Large => draw_by::<Wrapping<i128>, FILLED>(area, radii, clip, emit),
+        _ => draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit),
     }
 }
 
