@@ -32,6 +32,7 @@ pub(crate) enum Shape {
     Triangle([Units; 3]),
     Polygon(Vec<Units>),
     Rectangle([Units; 3]),
+    Outline(Rect),
 }
 
 impl Shape {
@@ -39,7 +40,7 @@ impl Shape {
     pub(crate) fn random(rng: &mut Rng) -> Self {
         let scale = rng.pick(&Scale::ALL);
         let place = |rng: &mut Rng| (rng.int(-2_000, 14_000), rng.int(-1_500, 10_000));
-        match rng.below(8) {
+        match rng.below(9) {
             0 => {
                 let [a, b] = ends_of_line(rng, scale);
                 Self::Line(a, b)
@@ -59,6 +60,11 @@ impl Shape {
                 Self::Triangle([place(rng), far[0], far[1]])
             }
             5 => Self::Rectangle([place(rng), place(rng), place(rng)]),
+            6 => {
+                let mut end = || (rng.int(-4, 50), rng.int(-4, 40));
+                let (a, b) = (end(), end());
+                Self::Outline(Rect { x0: a.0, y0: a.1, x1: b.0, y1: b.1 })
+            }
             _ => Self::Polygon((0..rng.range(3, 9)).map(|_| place(rng)).collect()),
         }
     }
@@ -75,6 +81,7 @@ impl Shape {
                 let [a, b, _] = corners(*units);
                 surface.fill_rectangle(a, b, color);
             }
+            Self::Outline(area) => surface.draw_rectangle(*area, color),
         }
     }
 
@@ -85,6 +92,7 @@ impl Shape {
             Self::Triangle(units) => twins::triangle(*units, window),
             Self::Polygon(units) => twins::polygon(std::slice::from_ref(units), FillRule::EvenOdd, window),
             Self::Rectangle([a, b, _]) => twins::rectangle(*a, *b, window),
+            Self::Outline(area) => super::runs_where(window, |x, y| twins::rectangle_outline_has(*area, x, y)),
         };
         runs.into_iter().flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y))).collect()
     }
