@@ -2,7 +2,7 @@
 
 mod flood;
 
-use core::borrow::Borrow;
+use core::{borrow::Borrow, iter::once};
 
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
@@ -66,6 +66,43 @@ pub trait Canvas: Surface {
         for point in points {
             self.draw_line(last.unwrap_or(point), point, color);
             last = Some(point);
+        }
+    }
+
+    /// Draws lines from each corner of a polygon to the next, and from the last one to the first. Corners are painted twice.
+    /// ```
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+    /// use embedded_raster::{Canvas, Framebuffer};
+    /// let mut ram = [b'.'; 20];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
+    /// frame.draw_polygon([(0, 0), (4, 0), (1, 3)].map(Point::from), Gray8::new(b'#'));
+    /// assert_eq!(&ram, b"#####.#.#..##...#...");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    fn draw_polygon(&mut self, corners: impl IntoIterator<Item = Point>, color: Self::Color)
+    where
+        Self: Sized,
+    {
+        let mut corners = corners.into_iter();
+        if let Some(first) = corners.next() {
+            self.draw_polyline(once(first).chain(corners).chain(once(first)), color);
+        }
+    }
+
+    /// Draws the outline of a box of pixels, one pixel wide, each pixel once.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, Rect};
+    /// let mut ram = [b'.'; 20];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
+    /// frame.draw_rectangle(Rect::new(1, 0, 5, 4), Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".####.#..#.#..#.####");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn draw_rectangle(&mut self, area: Rect, color: Self::Color) {
+        for side in rectangle::sides(area) {
+            self.fill_area(side, color);
         }
     }
 

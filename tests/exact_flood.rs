@@ -12,8 +12,6 @@
 
 mod support;
 
-use std::collections::VecDeque;
-
 use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Rgb555, Rgb565},
@@ -21,78 +19,13 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::Lsb0,
-    raster::flood::{fill, Field, Pending, Reach},
+    raster::flood::{fill, Pending, Reach},
     surface::{paged_bytes, Paged},
-    ClippedSpan, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect,
+    Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect,
 };
-use support::rng::Rng;
+use support::{letters::Letters, rng::Rng};
 
 const REACHES: [Reach; 2] = [Reach::Sides, Reach::Corners];
-
-/// A picture of letters: what is not asked for stays, what was painted is `#`.
-#[derive(Clone, PartialEq)]
-struct Letters {
-    width: i32,
-    height: i32,
-    pixels: Vec<u8>,
-}
-
-impl Letters {
-    fn new(width: i32, height: i32, open: impl FnMut(i32) -> bool) -> Self {
-        let pixels = (0..width * height).map(open).map(|open| if open { b'.' } else { b'#' }).collect();
-        Self { width, height, pixels }
-    }
-
-    fn parse(rows: &[&str]) -> Self {
-        let pixels = rows.concat().into_bytes();
-        Self { width: rows[0].len() as i32, height: rows.len() as i32, pixels }
-    }
-
-    fn at(&self, x: i32, y: i32) -> Option<u8> {
-        let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
-        inside.then(|| self.pixels[(y * self.width + x) as usize])
-    }
-
-    fn text(&self) -> String {
-        let rows = self.pixels.chunks(self.width as usize);
-        rows.map(|row| String::from_utf8_lossy(row).into_owned() + "\n").collect()
-    }
-
-    /// The twin: a breadth-first search for the pixels of the seed's letter.
-    fn flooded(&self, seed: (i32, i32), reach: Reach) -> Self {
-        let mut result = self.clone();
-        let mut queue = VecDeque::from([seed]);
-        while let Some((x, y)) = queue.pop_front() {
-            if result.at(x, y) != Some(b'.') {
-                continue;
-            }
-            result.pixels[(y * self.width + x) as usize] = b'#';
-            queue.extend([(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)]);
-            if reach == Reach::Corners {
-                queue.extend([(x - 1, y - 1), (x + 1, y - 1), (x - 1, y + 1), (x + 1, y + 1)]);
-            }
-        }
-        result
-    }
-}
-
-impl Field for Letters {
-    fn window(&self) -> Rect {
-        Rect::new(0, 0, self.width, self.height)
-    }
-
-    fn is_open(&self, x: i32, y: i32) -> bool {
-        self.at(x, y).expect("inside") == b'.'
-    }
-
-    fn paint(&mut self, span: ClippedSpan) {
-        for x in span.x0()..span.x1() {
-            let pixel = &mut self.pixels[(span.y() * self.width + x) as usize];
-            assert_eq!(*pixel, b'.', "({x}, {}) was not open", span.y());
-            *pixel = b'#';
-        }
-    }
-}
 
 fn check(picture: &Letters, seed: (i32, i32), reach: Reach, capacity: usize) {
     let wanted = picture.flooded(seed, reach);

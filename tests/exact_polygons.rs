@@ -3,9 +3,10 @@
 
 mod support;
 
+use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     raster::{polygon, rectangle, triangle},
-    Edge, Error, FillRule, Rect, Vertex,
+    Canvas, Edge, Error, FillRule, Rect, Vertex,
 };
 use support::{
     assert_runs, collect, corners,
@@ -240,6 +241,46 @@ fn rectangles() {
             let got = filled(&[around], FillRule::NonZero, window, 4).expect("enough slots");
             assert_runs(window, &got, &wanted, || format!("polygon {a:?} {b:?}"));
         }
+    }
+}
+
+/// Outlines of boxes of pixels paint each pixel once, of every small size and up to the ends of the type.
+#[test]
+fn outlines_of_boxes() {
+    let check = |area: Rect, window: Rect| {
+        let mut hits = Hits::new(window);
+        hits.draw_rectangle(area, BinaryColor::On);
+        let wanted = runs_where(window, |x, y| twins::rectangle_outline_has(area, x, y));
+        assert_runs(window, &hits.runs(), &wanted, || format!("outline of {area:?}"));
+    };
+    for (width, height) in (-2..9).flat_map(|w| (-2..9).map(move |h| (w, h))) {
+        let area = Rect { x0: 2, y0: -1, x1: 2 + width, y1: -1 + height };
+        check(area, Rect::new(0, -3, 12, 10));
+        check(area, Rect::new(3, 0, 6, 4));
+    }
+    let mut rng = Rng::new(47);
+    for _ in 0..50_000 {
+        let mut side = || rng.pick(&[i32::MIN, i32::MIN + 1, i32::MAX - 1, i32::MAX, -1, 0, 1]);
+        let area = Rect { x0: side(), y0: side(), x1: side(), y1: side() };
+        let near = |n: i32| (n.saturating_sub(3), n.saturating_add(3));
+        let ((x0, x1), (y0, y1)) = (near(side()), near(side()));
+        check(area, Rect::new(x0, y0, x1, y1));
+    }
+}
+
+/// Closed lines are the lines between their corners.
+#[test]
+fn outlines_of_polygons() {
+    let (window, mut rng) = (Rect::new(0, 0, 30, 24), Rng::new(48));
+    for n in (0..6).cycle().take(600) {
+        let corners: Vec<Point> = (0..n).map(|_| Point::new(rng.int(-9, 40), rng.int(-9, 30))).collect();
+        let mut hits = Hits::new(window);
+        hits.draw_polygon(corners.iter().copied(), BinaryColor::On);
+        let lines = || (0..n).map(|i| (corners[i], corners[(i + 1) % n]));
+        let line = |(a, b): (Point, Point)| twins::line((a.x, a.y), (b.x, b.y), window);
+        let pixels: Vec<_> = lines().flat_map(line).collect();
+        let got = runs_where(window, |x, y| hits.count(x, y) > 0);
+        assert_runs(window, &got, &runs_where(window, |x, y| pixels.contains(&(x, y))), || format!("{corners:?}"));
     }
 }
 

@@ -340,3 +340,15 @@ fn dashes_beside_the_window_are_skipped() {
         assert!(count < 16 * 150, "{count} pieces of {line:?}");
     }
 }
+
+/// A dash ends out of sight on a curve that comes back: the next one does not begin with a join to it.
+#[test]
+fn dashes_that_end_out_of_sight() {
+    let curve = Piece::Cubic((1_376_258, 166_522), (1_379_338, 172_282), (1_376_526, 163_842));
+    let path = [Piece::Move((1_376_256, 163_840)), curve];
+    let pen = Pen { width: 793, cap: Cap::Butt, join: Join::Bevel, limit: 2560 };
+    let pattern = Pattern { lengths: vec![892, 892, 900, 900], phase: 5040 };
+    let window = Rect::new(5376, 640, 5385, 654);
+    let wanted = twins::polygon(&pen.dashes(&outlines(&path, 5), &pattern), FillRule::NonZero, window);
+    assert_runs(window, &dashed_pixels(&path, pen, &pattern, window), &wanted, || "dashes".into());
+}

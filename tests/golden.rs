@@ -3,6 +3,8 @@
 //! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
+#[path = "support/golden.rs"]
+mod pictures;
 mod support;
 
 use std::convert::Infallible;
@@ -29,7 +31,7 @@ use embedded_raster::{
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::I24F8;
-use support::golden::{compare, is_blessing};
+use pictures::{compare, is_blessing};
 
 const WIDTH: u16 = 96;
 const HEIGHT: u16 = 64;

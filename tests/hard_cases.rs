@@ -447,9 +447,10 @@ fn a_drawing_cut_into_tiles_is_the_drawing() {
                 surface.fill_rectangle(a, b, BinaryColor::On);
             }
             4 => surface.draw_point(corners([units[0]; 3])[0], BinaryColor::On),
+            5 => surface.draw_rectangle(Rect::new(a.x, a.y, b.x, b.y), BinaryColor::On),
             _ => surface.fill_area(Rect::new(a.x, a.y, b.x, b.y), BinaryColor::On),
         };
-        for which in 0..6 {
+        for which in 0..7 {
             let mut large = Hits::new(Rect::new(-70, -70, 120, 110));
             draw(&mut large, which);
             let wanted = runs_where(whole, |x, y| large.count(x, y) == 1);

@@ -407,6 +407,8 @@ fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
     surface.fill_area(wild_rect(rng), color);
     surface.draw_point(wild_vertex(rng), color);
     surface.draw_line(wild_point(rng), wild_point(rng), color);
+    surface.draw_polygon((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
+    surface.draw_rectangle(wild_rect(rng), color);
     surface.draw_polyline((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
     surface.fill_rectangle(wild_vertex(rng), wild_vertex(rng), color);
     surface.fill_triangle([wild_vertex(rng), wild_vertex(rng), wild_vertex(rng)], color);

@@ -1,6 +1,8 @@
 //! The paint program: its demonstration against pictures in `tests/golden`, scripts that are wrong, steps back and forth, and
 //! what keys and mouse are. `BLESS=1 cargo test --test paint` writes the pictures anew.
 
+#[path = "support/golden.rs"]
+mod pictures;
 mod support;
 
 use std::path::Path;
@@ -11,7 +13,7 @@ use embedded_raster_simulator::{
     paint::{parse, replay, Command, Desk, Done, Failure, Paint, FORMS},
     Event, Key, Picture,
 };
-use support::golden::compare;
+use pictures::compare;
 
 const DEMO: &str = include_str!("../assets/paint-demo.txt");
 
@@ -26,14 +28,23 @@ fn after(bits: u8, script: &str) -> Paint {
     paint
 }
 
+/// The demonstration without the palette entries that a depth does not have.
+fn demo(bits: u8) -> String {
+    let is_there = |line: &&str| {
+        let index = line.strip_prefix("palette ").and_then(|rest| rest.split(' ').next()?.parse::<u32>().ok());
+        index.is_none_or(|index| index < 1 << bits)
+    };
+    DEMO.lines().filter(is_there).fold(String::new(), |script, line| script + line + "\n")
+}
+
 #[test]
 fn the_demonstration_at_every_depth() {
     let wrong: Vec<_> = [1, 2, 4, 8]
         .into_iter()
         .filter_map(|bits| {
-            let mut paint = paint(bits);
-            let summary = replay(DEMO, &mut paint).expect("it can be carried out");
-            assert_eq!(summary.commands, parse(DEMO).expect("a script").len(), "commands at {bits} bits");
+            let (mut paint, demo) = (paint(bits), demo(bits));
+            let summary = replay(&demo, &mut paint).expect("it can be carried out");
+            assert_eq!(summary.commands, parse(&demo).expect("a script").len(), "commands at {bits} bits");
             assert!((1..=64).contains(&summary.slots), "{} slots at {bits} bits", summary.slots);
             compare(&format!("paint-{bits}"), &paint.picture())
         })
@@ -169,6 +180,22 @@ fn wrong_lines_say_what_was_expected() {
     for name in FORMS.iter().filter_map(|form| form.split(' ').next()) {
         assert!(cases.iter().any(|(text, _)| text.starts_with(name)), "{name} has a case");
     }
+}
+
+#[test]
+fn palettes_have_as_many_entries_as_the_depth_has_colors() {
+    for bits in [1, 2, 4] {
+        let (last, beyond) = ((1 << bits) - 1, 1 << bits);
+        let mut paint = after(bits, &format!("palette {last} 1 2 3\n"));
+        let before = paint.sheet().clone();
+        for index in [beyond, 99, u8::MAX] {
+            let error = replay(&format!("\npalette {index} 0 0 0\n"), &mut paint).expect_err("no such entry");
+            let expected = format!("line 2: there is no entry {index} among the {beyond} of the palette");
+            assert_eq!(error.to_string(), expected);
+            assert!(paint.sheet() == &before, "nothing is done");
+        }
+    }
+    after(8, "palette 255 1 2 3\n");
 }
 
 #[test]

@@ -32,6 +32,28 @@ impl Input<'_> {
         Rect::new(x, y, x.saturating_add(width), y.saturating_add(height))
     }
 
+    /// Mostly near another number, so that shapes and windows meet.
+    pub(crate) fn near(&mut self, at: i32, step: i32) -> i32 {
+        match self.byte() as i8 {
+            i8::MIN => self.int(),
+            n => at.saturating_add(i32::from(n).saturating_mul(step)),
+        }
+    }
+
+    /// Corners in any order, mostly of a window or a few pixels off.
+    pub(crate) fn area_near(&mut self, window: Rect) -> Rect {
+        let (x0, y0) = (self.near(window.x0, 1), self.near(window.y0, 1));
+        Rect::new(x0, y0, self.near(x0, 1), self.near(y0, 1))
+    }
+
+    /// A place in 24.8 units, mostly near a window.
+    pub(crate) fn place_near(&mut self, window: Rect) -> (i32, i32) {
+        let units = |n: i32| n.saturating_mul(256);
+        let fine = self.byte();
+        let mut near = |n: i32| self.near(units(n), 67).saturating_add((fine & 3).into());
+        (near(window.x0), near(window.y0))
+    }
+
     /// Whether there is more to read.
     pub(crate) fn goes_on(&self) -> bool {
         !self.0.is_empty()

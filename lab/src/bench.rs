@@ -10,10 +10,10 @@ use crate::{
 };
 
 /// One kind of shape.
-pub(crate) struct Family<S> {
+pub(crate) struct Family<S: Judge> {
     pub(crate) key: &'static str,
     pub(crate) title: &'static str,
-    pub(crate) entries: Vec<Entry<S>>,
+    pub(crate) entries: Vec<Entry<S, S::Drawn>>,
     pub(crate) workloads: Vec<Workload<S>>,
 }
 
@@ -40,6 +40,10 @@ impl Cell {
     pub(crate) fn nanoseconds_per_pixel(&self) -> f64 {
         self.nanoseconds / self.pixels as f64
     }
+
+    pub(crate) fn nanoseconds_per_shape(&self) -> f64 {
+        self.nanoseconds / self.shapes as f64
+    }
 }
 
 /// A row: an engine and a cell a workload, `None` where it sits it out.
@@ -64,7 +68,7 @@ impl<S: Judge> Family<S> {
         pairs.filter(|(e, _, w)| e.can(w)).map(|(e, i, _)| self.child_name(e, i)).collect()
     }
 
-    fn child_name(&self, entry: &Entry<S>, workload: usize) -> String {
+    fn child_name(&self, entry: &Entry<S, S::Drawn>, workload: usize) -> String {
         format!("{}/{}/{workload}", self.key, entry.key)
     }
 
@@ -85,7 +89,7 @@ impl<S: Judge> Family<S> {
     }
 
     pub(crate) fn run(mut self, counts: &Counts, quick: bool, bar: &ProgressBar) -> Results {
-        let row = |e: &Entry<S>| Row { name: e.name, origin: e.origin, cells: Vec::new() };
+        let row = |e: &Entry<S, S::Drawn>| Row { name: e.name, origin: e.origin, cells: Vec::new() };
         let mut rows: Vec<_> = self.entries.iter().map(row).collect();
         for (i, workload) in self.workloads.iter().enumerate() {
             let truths: Vec<_> = workload.shapes.iter().map(Judge::truth).collect();
@@ -107,7 +111,7 @@ impl<S: Judge> Family<S> {
 }
 
 fn cell<S: Judge>(
-    entry: &mut Entry<S>,
+    entry: &mut Entry<S, S::Drawn>,
     workload: &Workload<S>,
     truths: &[S::Truth],
     instructions: Option<u64>,

@@ -23,15 +23,15 @@ pub(crate) type Counts = HashMap<String, u64>;
 
 /// The function between whose entry and exit callgrind counts.
 #[inline(never)]
-pub(crate) fn measured<S>(engine: &mut dyn Engine<S>, shapes: &[S]) {
+pub(crate) fn measured<S, D>(engine: &mut dyn Engine<S, D>, shapes: &[S]) {
     engine.draw(black_box(shapes));
 }
 
 /// Nanoseconds to draw the shapes once: the median of many runs, each long enough for the clock and shorter than the slices
 /// of a scheduler, so that most of them are left alone even on a busy machine.
-pub(crate) fn nanoseconds<S>(engine: &mut dyn Engine<S>, shapes: &[S], quick: bool) -> f64 {
+pub(crate) fn nanoseconds<S, D>(engine: &mut dyn Engine<S, D>, shapes: &[S], quick: bool) -> f64 {
     let (runs, shortest) = if quick { (5, Duration::from_micros(100)) } else { (41, Duration::from_micros(200)) };
-    let once = |engine: &mut dyn Engine<S>, times: u32| {
+    let once = |engine: &mut dyn Engine<S, D>, times: u32| {
         let start = Instant::now();
         (0..times).for_each(|_| measured(engine, shapes));
         start.elapsed()

@@ -30,8 +30,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::{
     bench::{Family, Results},
     cost::Counter,
+    plot::Axes,
     report::{Covers, Report},
-    shape::{Job, Line, Oval, Polygon, Pool, Triangle},
+    shape::{Blob, Curve, Job, Line, Oval, Polygon, Pool, Thick, Thin, Triangle},
 };
 
 const HELP: &str = "\
@@ -93,6 +94,25 @@ fn ellipses(quick: bool) -> Family<Oval> {
     Family { key: "ellipses", title: "Ellipses", entries, workloads }
 }
 
+fn curves(quick: bool) -> Family<Curve> {
+    let (entries, workloads) = (engine::curves::entries(), workload::curves(quick));
+    Family { key: "curves", title: "Curves to lines", entries, workloads }
+}
+
+fn outlines(quick: bool) -> Family<Thin> {
+    let (entries, workloads) = (engine::outlines::entries(), workload::outlines(quick));
+    Family { key: "outlines", title: "Curves one pixel wide", entries, workloads }
+}
+
+fn paths(quick: bool) -> Family<Blob> {
+    Family { key: "paths", title: "Filled paths", entries: engine::paths::entries(), workloads: workload::paths(quick) }
+}
+
+fn strokes(quick: bool) -> Family<Thick> {
+    let (entries, workloads) = (engine::strokes::entries(), workload::strokes(quick));
+    Family { key: "strokes", title: "Strokes", entries, workloads }
+}
+
 fn floods(quick: bool) -> Family<Pool> {
     let (entries, workloads) = (engine::floods::entries(), workload::floods(quick));
     Family { key: "floods", title: "Flood fills", entries, workloads }
@@ -109,6 +129,10 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("triangles") => triangles(quick).child(name),
         Some("polygons") => polygons(quick).child(name),
         Some("ellipses") => ellipses(quick).child(name),
+        Some("curves") => curves(quick).child(name),
+        Some("outlines") => outlines(quick).child(name),
+        Some("paths") => paths(quick).child(name),
+        Some("strokes") => strokes(quick).child(name),
         Some("floods") => floods(quick).child(name),
         Some("memory") => memory(quick).child(name),
         _ => false,
@@ -127,7 +151,7 @@ fn covers(quick: bool, bar: &ProgressBar) -> Covers {
         let mut cells = Vec::new();
         for mesh in &meshes {
             bar.set_message(format!("Meshes: {}, {}", entry.name, mesh.name));
-            let goes = entry.goes_far || !mesh.far;
+            let goes = entry.can_hard || !mesh.far;
             cells.push(goes.then(|| judge::cover(entry.engine.as_mut(), mesh)));
             bar.inc(1);
         }
@@ -141,11 +165,16 @@ fn measure(options: &Options) -> Result<Report> {
     let counter = if options.count { Counter::find(quick) } else { None };
     let (lines, triangles, polygons, memory) = (lines(quick), triangles(quick), polygons(quick), memory(quick));
     let (ellipses, floods) = (ellipses(quick), floods(quick));
+    let (curves, outlines, paths, strokes) = (curves(quick), outlines(quick), paths(quick), strokes(quick));
     let children = [
         lines.children(),
         triangles.children(),
         polygons.children(),
         ellipses.children(),
+        curves.children(),
+        outlines.children(),
+        paths.children(),
+        strokes.children(),
         floods.children(),
         memory.children(),
     ]
@@ -161,6 +190,10 @@ fn measure(options: &Options) -> Result<Report> {
         covers: covers(quick, &bar),
         polygons: polygons.run(&counts, quick, &bar),
         ellipses: ellipses.run(&counts, quick, &bar),
+        curves: curves.run(&counts, quick, &bar),
+        outlines: outlines.run(&counts, quick, &bar),
+        paths: paths.run(&counts, quick, &bar),
+        strokes: strokes.run(&counts, quick, &bar),
         floods: floods.run(&counts, quick, &bar),
         memory: memory.run(&counts, quick, &bar),
         valgrind: counter.map(|c| c.version),
@@ -176,12 +209,23 @@ fn write(report: &Report, folder: &Path, plots: bool) -> Result<()> {
     std::fs::write(&page, report.markdown(plots)).with_context(|| format!("writing {}", page.display()))?;
     println!("{}", page.display());
     if plots {
-        let plot = |results: &Results| {
+        let plot = |(results, axes): (&Results, &Axes)| {
             let file = folder.join(format!("speed-and-error-{}.svg", results.key));
             println!("{}", file.display());
-            plot::draw(results, &file)
+            plot::draw(results, axes, &file)
         };
-        [&report.lines, &report.triangles, &report.polygons, &report.ellipses].into_iter().try_for_each(plot)?;
+        [
+            (&report.lines, &plot::PIXELS),
+            (&report.triangles, &plot::PIXELS),
+            (&report.polygons, &plot::PIXELS),
+            (&report.ellipses, &plot::PIXELS),
+            (&report.curves, &plot::CURVES),
+            (&report.outlines, &plot::DISTANCES),
+            (&report.paths, &plot::PIXELS),
+            (&report.strokes, &plot::PIXELS),
+        ]
+        .into_iter()
+        .try_for_each(plot)?;
     }
     Ok(())
 }

@@ -13,10 +13,51 @@ use crate::{
 
 const PANEL: (u32, u32) = (400, 320);
 const TITLE: u32 = 36;
-/// Errors below are drawn on this line, which is labelled 0.
-const NONE: f64 = 0.3;
-const MOST: f64 = 3e7;
 const FONT: &str = "sans-serif";
+
+/// What is to the right and upwards.
+pub(crate) struct Axes {
+    /// Whose cost it is, of a cell.
+    per: &'static str,
+    instructions: fn(&Cell) -> Option<f64>,
+    nanoseconds: fn(&Cell) -> f64,
+    unit: &'static str,
+    error: fn(&Cell) -> f64,
+    /// Errors below are drawn on this line, which is labelled 0.
+    none: f64,
+    most: f64,
+}
+
+/// Wrong pixels.
+pub(crate) const PIXELS: Axes = Axes {
+    per: "pixel",
+    instructions: Cell::instructions_per_pixel,
+    nanoseconds: Cell::nanoseconds_per_pixel,
+    unit: "wrong pixels per million",
+    error: |cell| cell.verdict.wrong_per_million(),
+    none: 0.3,
+    most: 3e7,
+};
+
+/// Distances of pixels.
+pub(crate) const DISTANCES: Axes =
+    Axes { unit: "largest distance, pixels", error: |cell| cell.verdict.distance(), none: 0.03, most: 300.0, ..PIXELS };
+
+/// Distances of lines, which have no pixels.
+pub(crate) const CURVES: Axes = Axes {
+    per: "curve",
+    instructions: Cell::instructions_per_shape,
+    nanoseconds: Cell::nanoseconds_per_shape,
+    none: 0.003,
+    ..DISTANCES
+};
+
+impl Axes {
+    /// Instructions, or nanoseconds where nothing was counted.
+    fn cost(&self, cell: &Cell) -> f64 {
+        (self.instructions)(cell).unwrap_or_else(|| (self.nanoseconds)(cell))
+    }
+}
 
 /// A mark: its number in the legend, where it stands, and its colour.
 struct Mark {
@@ -33,22 +74,17 @@ fn color(origin: Origin) -> RGBColor {
     }
 }
 
-/// Instructions per pixel, or nanoseconds where nothing was counted.
-fn cost(cell: &Cell) -> f64 {
-    cell.instructions_per_pixel().unwrap_or_else(|| cell.nanoseconds_per_pixel())
-}
-
-fn marks(results: &Results, workload: usize) -> Vec<Mark> {
+fn marks(results: &Results, axes: &Axes, workload: usize) -> Vec<Mark> {
     let mark = |(i, row): (usize, &crate::bench::Row)| {
         let cell = row.cells[workload]?;
-        let error = cell.verdict.wrong_per_million().max(NONE);
-        Some(Mark { number: i + 1, at: (cost(&cell), error), origin: row.origin })
+        let error = (axes.error)(&cell).max(axes.none);
+        Some(Mark { number: i + 1, at: (axes.cost(&cell), error), origin: row.origin })
     };
     results.rows.iter().enumerate().filter_map(mark).collect()
 }
 
 /// Writes the plot of a family.
-pub(crate) fn draw(results: &Results, file: &Path) -> Result<()> {
+pub(crate) fn draw(results: &Results, axes: &Axes, file: &Path) -> Result<()> {
     let panels = results.workloads.len() + 1;
     let columns = if panels == 4 { 2 } else { 3 };
     let rows = panels.div_ceil(columns);
@@ -60,9 +96,9 @@ pub(crate) fn draw(results: &Results, file: &Path) -> Result<()> {
     let root = root.titled(&title, (FONT, 20)).map_err(|e| failed(&e))?;
     let areas = root.split_evenly((rows, columns));
     let counted = results.rows.iter().flat_map(|row| row.cells.iter().flatten()).all(|c| c.instructions.is_some());
-    let unit = if counted { "instructions per pixel" } else { "ns per pixel" };
+    let unit = format!("{} per {}", if counted { "instructions" } else { "ns" }, axes.per);
     for (i, area) in areas.iter().enumerate().take(results.workloads.len()) {
-        panel(area, results.workloads[i], unit, &marks(results, i)).map_err(|e| failed(&e))?;
+        panel(area, results.workloads[i], &unit, axes, &marks(results, axes, i)).map_err(|e| failed(&e))?;
     }
     legend(&areas[results.workloads.len()], results).map_err(|e| failed(&e))?;
     root.present().map_err(|e| failed(&e))
@@ -85,18 +121,24 @@ fn plain_number(value: f64) -> String {
     }
 }
 
-fn panel(area: &Area<'_>, title: &str, unit: &str, marks: &[Mark]) -> Result<(), Box<dyn std::error::Error>> {
+fn panel(
+    area: &Area<'_>,
+    title: &str,
+    unit: &str,
+    axes: &Axes,
+    marks: &[Mark],
+) -> Result<(), Box<dyn std::error::Error>> {
     let costs = decades(marks.iter().map(|m| m.at.0));
     let mut chart = ChartBuilder::on(area)
         .caption(title, (FONT, 16))
         .margin(12)
         .x_label_area_size(42)
         .y_label_area_size(62)
-        .build_cartesian_2d(costs.log_scale(), (NONE * 0.6..MOST).log_scale())?;
+        .build_cartesian_2d(costs.log_scale(), (axes.none * 0.6..axes.most).log_scale())?;
     chart
         .configure_mesh()
         .x_desc(unit)
-        .y_desc("wrong pixels per million")
+        .y_desc(axes.unit)
         .axis_desc_style((FONT, 13))
         .label_style((FONT, 12))
         .light_line_style(RGBColor(0xf1, 0xf1, 0xf1))
@@ -108,8 +150,11 @@ fn panel(area: &Area<'_>, title: &str, unit: &str, marks: &[Mark]) -> Result<(),
         .draw()?;
     // The line of those that make no error.
     let (left, right) = (chart.as_coord_spec().get_x_range().start, chart.as_coord_spec().get_x_range().end);
-    chart.draw_series([PathElement::new(vec![(left, NONE), (right, NONE)], RGBColor(0x0b, 0x6e, 0x4f).mix(0.5))])?;
-    let (x0, y0) = chart.as_coord_spec().translate(&(left, NONE));
+    chart.draw_series([PathElement::new(
+        vec![(left, axes.none), (right, axes.none)],
+        RGBColor(0x0b, 0x6e, 0x4f).mix(0.5),
+    )])?;
+    let (x0, y0) = chart.as_coord_spec().translate(&(left, axes.none));
     let style = TextStyle::from((FONT, 12).into_font()).pos(Pos::new(HPos::Right, VPos::Center));
     let (base_x, base_y) = area.get_base_pixel();
     area.draw(&Text::new("0", (x0 - base_x - 8, y0 - base_y), style))?;

@@ -20,6 +20,10 @@ pub(crate) struct Report {
     pub(crate) covers: Covers,
     pub(crate) polygons: Results,
     pub(crate) ellipses: Results,
+    pub(crate) curves: Results,
+    pub(crate) outlines: Results,
+    pub(crate) paths: Results,
+    pub(crate) strokes: Results,
     pub(crate) floods: Results,
     pub(crate) memory: Results,
     pub(crate) valgrind: Option<String>,
@@ -140,6 +144,10 @@ impl Report {
         text.push_str(&self.triangles_part(plots));
         text.push_str(&compared(&self.polygons, plots));
         text.push_str(&compared(&self.ellipses, plots));
+        text.push_str(&self.curves_part(plots));
+        text.push_str(&self.outlines_part(plots));
+        text.push_str(&compared(&self.paths, plots));
+        text.push_str(&compared(&self.strokes, plots));
         text.push_str(&compared(&self.floods, false));
         text.push_str(&self.memory_part());
         text.push_str(NOTES);
@@ -192,6 +200,33 @@ impl Report {
         )
     }
 
+    fn curves_part(&self, plots: bool) -> String {
+        format!(
+            "## Curves to lines\n\n{}Instructions per curve (time per curve):\n\n{}\n\
+             Lines per curve:\n\n{}\n\
+             Largest distance, in pixels, of a place on the lines from the curve, or on the curve from the lines:\n\n{}\n",
+            picture(&self.curves, plots),
+            family(&self.curves, |c| {
+                let time = format!("{:.0} ns", c.nanoseconds_per_shape());
+                c.instructions_per_shape().map_or(time.clone(), |n| format!("{} ({time})", digits(n)))
+            }),
+            family(&self.curves, |c| digits(c.verdict.lines as f64 / c.verdict.shapes as f64)),
+            family(&self.curves, |c| digits(c.verdict.distance())),
+        )
+    }
+
+    fn outlines_part(&self, plots: bool) -> String {
+        format!(
+            "## Curves one pixel wide\n\n{}Instructions per pixel (time per pixel); as many pixels as the curve takes steps \
+             along the longer axis:\n\n{}\n\
+             Largest distance of the centre of a painted pixel from the curve; of a place on the curve from the centre of a \
+             painted pixel, 4 at most:\n\n{}\n",
+            picture(&self.outlines, plots),
+            family(&self.outlines, per_pixel),
+            family(&self.outlines, |c| format!("{:.3}; {:.3}", c.verdict.worst, c.verdict.left_out)),
+        )
+    }
+
     fn memory_part(&self) -> String {
         format!(
             "## Memory\n\nBlits and text at 16 bits per pixel, shapes at one. Instructions per pixel (time per pixel); of \
@@ -241,6 +276,12 @@ corners are the centres of the pixels that contain the true ones, and it paints 
 screen or not: it sits them out. It has no polygons.\n\
 - Ellipses are given by boxes of whole pixels. The textbook's midpoint algorithm has two regions and 32-bit products: it \
 breaks where the curve is thin, and where the box is large. embedded-graphics' own rule is another one near the border.\n\
+- The points of curves are those of this crate's grid, 1/256 pixel, for every engine; the true curve is made of chords within \
+1/5000 pixel of it. *De Casteljau* halves a curve until its control points are so near to the chord that the curve is within \
+34/256 pixel of it, which is what this crate promises for fills; its thin outlines are within 10/256 pixel before they become pixels. \
+Points closer than pixels are 16 bits of time at most.\n\
+- Lines with a width go from the centre of a pixel to that of another. A pixel whose centre lies exactly on the border may be \
+painted or not. This crate rounds borders outwards to 1/256 pixel. embedded-graphics has no round ends: it sits them out.\n\
 - A flood fill is charged with loading its picture. The stacks of the textbook are as long as they need to be.\n\
 - To count without the lab: `valgrind --tool=callgrind --toggle-collect='*measured*' target/release/lab --child lines/canvas/1`.\n";
 

@@ -1,7 +1,7 @@
 //! Shapes, each in the words of every engine: made ready beforehand, so that only drawing is measured.
 
 use embedded_graphics::geometry::Point;
-use embedded_raster::{Rect, Vertex};
+use embedded_raster::{PathSegment, Rect, Vertex};
 use tiny_skia::{Path, PathBuilder};
 
 /// Fractional bits of the true shapes: finer than any engine keeps, and still exact in an `f32` up to 512 pixels.
@@ -120,6 +120,93 @@ impl Polygon {
         let units: Vec<_> = units.into_iter().map(|u| snap(u, 8)).collect();
         let floats: Vec<_> = units.iter().copied().map(float).collect();
         Self { vertices: units.iter().map(|&u| vertex(u, 8)).collect(), path: path(&floats), floats, units }
+    }
+}
+
+/// A cubic Bézier curve, its points in 1/256 pixel: the same for every engine.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    pub(crate) units: [Units; 4],
+    pub(crate) floats: [(f32, f32); 4],
+    pub(crate) segments: [PathSegment; 2],
+}
+
+impl Curve {
+    pub(crate) fn new(units: [Units; 4]) -> Self {
+        let units = units.map(|u| snap(u, 8));
+        let [a, c, d, b] = units.map(|u| vertex(u, 8));
+        let segments = [PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)];
+        Self { units, floats: units.map(float), segments }
+    }
+}
+
+/// The outline of a curve, one pixel wide.
+#[derive(Clone, Debug)]
+pub(crate) struct Thin {
+    pub(crate) curve: Curve,
+    pub(crate) path: Option<Path>,
+}
+
+impl Thin {
+    pub(crate) fn new(units: [Units; 4]) -> Self {
+        let curve = Curve::new(units);
+        let mut path = PathBuilder::new();
+        path.move_to(curve.floats[0].0, curve.floats[0].1);
+        cubic_to(&mut path, curve.floats);
+        Self { curve, path: path.finish() }
+    }
+}
+
+fn cubic_to(path: &mut PathBuilder, [_, c, d, b]: [(f32, f32); 4]) {
+    path.cubic_to(c.0, c.1, d.0, d.1, b.0, b.1);
+}
+
+/// What cubic curves enclose, each from the end of the one before.
+#[derive(Clone, Debug)]
+pub(crate) struct Blob {
+    pub(crate) curves: Vec<Curve>,
+    pub(crate) segments: Vec<PathSegment>,
+    pub(crate) path: Option<Path>,
+}
+
+impl Blob {
+    pub(crate) fn new(curves: Vec<Curve>) -> Self {
+        let mut segments = vec![curves[0].segments[0]];
+        segments.extend(curves.iter().map(|curve| curve.segments[1]));
+        let mut path = PathBuilder::new();
+        path.move_to(curves[0].floats[0].0, curves[0].floats[0].1);
+        for curve in &curves {
+            cubic_to(&mut path, curve.floats);
+        }
+        path.close();
+        Self { curves, segments, path: path.finish() }
+    }
+}
+
+/// Lines with a width, from the centre of each pixel to that of the next. Ends and corners are round, or there are two
+/// pixels and nothing beyond them.
+#[derive(Clone, Debug)]
+pub(crate) struct Thick {
+    pub(crate) pixels: Vec<Point>,
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) width: u16,
+    pub(crate) round: bool,
+    pub(crate) path: Option<Path>,
+}
+
+impl Thick {
+    pub(crate) fn new(pixels: Vec<Point>, width: u16, round: bool) -> Self {
+        let mut path = PathBuilder::new();
+        for (i, p) in pixels.iter().enumerate() {
+            let (x, y) = (p.x as f32 + 0.5, p.y as f32 + 0.5);
+            if i == 0 {
+                path.move_to(x, y);
+            } else {
+                path.line_to(x, y);
+            }
+        }
+        let vertices = pixels.iter().map(|&p| Vertex::centre_of(p)).collect();
+        Self { pixels, vertices, width, round, path: path.finish() }
     }
 }
 

@@ -8,7 +8,7 @@ use embedded_raster::Rect;
 use crate::{
     frame::{HEIGHT, WIDTH},
     rng::Rng,
-    shape::{Job, Line, Oval, Polygon, Pool, Triangle, Units, ONE, SPRITE},
+    shape::{Blob, Curve, Job, Line, Oval, Polygon, Pool, Thick, Thin, Triangle, Units, ONE, SPRITE},
 };
 
 /// A list of shapes of one kind. The first `timed` of them are enough to measure cost; error is judged on all.
@@ -16,19 +16,19 @@ pub(crate) struct Workload<S> {
     pub(crate) name: &'static str,
     pub(crate) shapes: Vec<S>,
     pub(crate) timed: usize,
-    /// Corners lie far off the screen: engines that cannot do that sit it out.
-    pub(crate) far: bool,
+    /// Not everybody can do it, as corners lie far off the screen, or ends are round: the others sit it out.
+    pub(crate) hard: bool,
 }
 
 impl<S> Workload<S> {
     fn new(
         name: &'static str,
         (timed, judged): (usize, usize),
-        far: bool,
+        hard: bool,
         mut make: impl FnMut(&mut Rng) -> S,
     ) -> Self {
         let mut rng = Rng::new(name.bytes().map(u64::from).sum());
-        Self { name, shapes: (0..judged.max(timed)).map(|_| make(&mut rng)).collect(), timed, far }
+        Self { name, shapes: (0..judged.max(timed)).map(|_| make(&mut rng)).collect(), timed, hard }
     }
 
     pub(crate) fn measured(&self) -> &[S] {
@@ -233,6 +233,105 @@ pub(crate) fn ellipses(quick: bool) -> Vec<Workload<Oval>> {
             Oval::new(Rect::new(x, y, x + 3_001, y + 2_001))
         }),
     ]
+}
+
+/// Four places around another, shaken.
+fn bent(rng: &mut Rng, middle: (f64, f64), radius: f64) -> [Units; 4] {
+    [(); 4].map(|()| units(polar(middle, rng.unit(), radius * rng.unit().sqrt())))
+}
+
+/// Curves of the size of letters, curves across the screen, ones that come back to where they were, and large ones.
+pub(crate) fn curves(quick: bool) -> Vec<Workload<Curve>> {
+    let count = judged(100, quick);
+    vec![
+        Workload::new("within 20 px", (100.min(count), count), false, |rng| Curve::new(bent(rng, CENTRE, 10.0))),
+        Workload::new("within 200 px", (100.min(count), count), false, |rng| Curve::new(bent(rng, CENTRE, 100.0))),
+        Workload::new("loops of 200 px", (100.min(count), count), false, |rng| {
+            let [a, c, d, _] = bent(rng, CENTRE, 100.0);
+            Curve::new([a, c, d, a])
+        }),
+        Workload::new("within 2,000 px", (100.min(count), count), false, |rng| Curve::new(bent(rng, CENTRE, 1_000.0))),
+    ]
+}
+
+/// The same, one pixel wide, and curves of which the screen sees a hundredth.
+pub(crate) fn outlines(quick: bool) -> Vec<Workload<Thin>> {
+    let count = judged(100, quick);
+    vec![
+        Workload::new("within 20 px", (100.min(count), count), false, |rng| {
+            let middle = somewhere(rng, 12.0);
+            Thin::new(bent(rng, middle, 10.0))
+        }),
+        Workload::new("within 200 px", (30.min(count), count), false, |rng| Thin::new(bent(rng, CENTRE, 100.0))),
+        Workload::new("100 x off-screen", (12.min(count), count), true, far_curve),
+    ]
+}
+
+/// Half of it before and half of it after a place on the screen.
+fn far_curve(rng: &mut Rng) -> Thin {
+    let (middle, turn) = (somewhere(rng, 40.0), rng.unit());
+    let far = f64::from(FAR) * 0.9;
+    let (a, c) = (polar(middle, turn, far), polar(middle, turn + 0.1, far / 2.0));
+    let d = polar(middle, turn + 0.4 * rng.unit(), far / 2.0);
+    // The curve at half of its time is (a + 3 c + 3 d + b) / 8.
+    let end = |m: f64, a: f64, c: f64, d: f64| 8.0 * m - a - 3.0 * (c + d);
+    let b = (end(middle.0, a.0, c.0, d.0), end(middle.1, a.1, c.1, d.1));
+    Thin::new([a, c, d, b].map(units))
+}
+
+/// Shapes with a smooth edge, large, of the size of letters, and larger than the screen.
+pub(crate) fn paths(quick: bool) -> Vec<Workload<Blob>> {
+    let count = judged(60, quick);
+    vec![
+        Workload::new("8 cubics, 200 px", (12.min(count), count), false, |rng| blob(rng, CENTRE, 110.0, 8)),
+        Workload::new("6 cubics, 20 px", (60.min(count), count), false, |rng| {
+            let middle = somewhere(rng, 14.0);
+            blob(rng, middle, 11.0, 6)
+        }),
+        Workload::new("32 cubics, 200 px", (6.min(count), count), false, |rng| blob(rng, CENTRE, 110.0, 32)),
+        Workload::new("8 cubics, 4,000 px", (6.min(count), count), true, |rng| blob(rng, CENTRE, 2_000.0, 8)),
+    ]
+}
+
+/// Curves from corner to corner around a place, all of them smooth. Every other corner of a large one lies near the screen.
+fn blob(rng: &mut Rng, middle: (f64, f64), radius: f64, count: u32) -> Blob {
+    let (start, step) = (rng.unit(), 1.0 / f64::from(count));
+    let corner = |i: u32, rng: &mut Rng| {
+        let inner = if radius > 1_000.0 && i.is_multiple_of(2) { 0.05 } else { 1.0 };
+        (start + f64::from(i) * step, radius * inner * (0.5 + 0.5 * rng.unit()))
+    };
+    let corners: Vec<_> = (0..count).map(|i| corner(i, rng)).collect();
+    let curve = |i: usize| {
+        let ((turn, r), (next, s)) = (corners[i], corners[(i + 1) % corners.len()]);
+        // Control points along the circle through the corner.
+        let pull = TAU * step / 3.0;
+        let (a, b) = (polar(middle, turn, r), polar(middle, next, s));
+        Curve::new([a, polar(a, turn + 0.25, r * pull), polar(b, next - 0.25, s * pull), b].map(units))
+    };
+    Blob::new((0..corners.len()).map(curve).collect())
+}
+
+/// Lines with a width: without ends, and with round ones; lines around corners.
+pub(crate) fn strokes(quick: bool) -> Vec<Workload<Thick>> {
+    let count = judged(60, quick);
+    let line = |rng: &mut Rng, length: f64, width: u16, round: bool| {
+        let (middle, turn) = (somewhere(rng, length / 2.0 + f64::from(width)), rng.unit());
+        let end = |turn: f64| pixel(polar(middle, turn, length / 2.0));
+        Thick::new(vec![end(turn), end(turn + 0.5)], width, round)
+    };
+    vec![
+        Workload::new("100 x 3 px", (60.min(count), count), false, |rng| line(rng, 100.0, 3, false)),
+        Workload::new("100 x 12 px", (30.min(count), count), false, |rng| line(rng, 100.0, 12, false)),
+        Workload::new("100 x 7 px, round ends", (30.min(count), count), true, |rng| line(rng, 100.0, 7, true)),
+        Workload::new("8 lines, 6 px, round corners", (12.min(count), count), true, |rng| {
+            Thick::new((0..9).map(|_| pixel(somewhere(rng, 8.0))).collect(), 6, true)
+        }),
+    ]
+}
+
+/// The pixel that contains a place.
+fn pixel((x, y): (f64, f64)) -> Point {
+    Point::new(x.floor() as i32, y.floor() as i32)
 }
 
 /// Open water, one corridor, and a maze.

@@ -146,7 +146,10 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     }
-    for (places, &byte) in out.chunks_mut(N * per_byte).zip(indices) {
+    // Not by `zip` either: it multiplies an index by the length of a chunk, and checks that.
+    let mut out = out.chunks_mut(N * per_byte);
+    for &byte in indices {
+        let Some(places) = out.next() else { return };
         put(places, byte);
     }
 }

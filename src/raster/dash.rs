@@ -190,7 +190,7 @@ struct Cut<'a, S> {
     start: Option<Place>,
     at: Place,
     side: Option<Side>,
-    /// The dash ended with the piece that was taken last.
+    /// The dash ended with the piece that was taken last, or went out of sight.
     stop: bool,
 }
 
@@ -217,7 +217,9 @@ impl<S: Iterator<Item = Event>> Iterator for Cut<'_, S> {
                         let start = if start == Start::Ring { Start::Corner } else { start };
                         self.side = Some(Side { a, b, u, start, length, s: 0 });
                     } else {
+                        // The dash that came here, and its ends, are out of sight: what comes next has nothing to do with it.
                         pattern.advance(&mut self.at, pattern.rest(length));
+                        return Some(Event::Stop);
                     }
                 }
                 Event::Stop | Event::Close => {
@@ -242,6 +244,7 @@ impl<S> Cut<'_, S> {
             }
             if self.view.hides(from, side.b, 0) {
                 pattern.advance(&mut self.at, pattern.rest(left));
+                self.stop = true;
                 return None;
             }
             // As far as it cannot get into the view, by whole periods.

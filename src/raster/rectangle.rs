@@ -1,4 +1,4 @@
-//! Points and axis-parallel rectangles in sub-pixel coordinates, by the rule of all fills.
+//! Points and axis-parallel rectangles in sub-pixel coordinates, by the rule of all fills; outlines of boxes of pixels.
 
 use crate::{
     geom::{bits, Vertex},
@@ -23,4 +23,19 @@ pub fn pixels(a: Vertex, b: Vertex) -> Rect {
         x1: first_centre_from(ax.max(bx)),
         y1: first_centre_from(ay.max(by)),
     }
+}
+
+/// The outline of a box of pixels, one pixel wide: its top and bottom rows, and between them its left and right columns. No
+/// two of them share a pixel; of a box with less than three rows or columns some are empty.
+/// ```
+/// use embedded_raster::{raster::rectangle, Rect};
+/// let sides = [Rect::new(2, 1, 9, 2), Rect::new(2, 4, 9, 5), Rect::new(2, 2, 3, 4), Rect::new(8, 2, 9, 4)];
+/// assert_eq!(rectangle::sides(Rect::new(2, 1, 9, 5)), sides);
+/// ```
+pub fn sides(area: Rect) -> [Rect; 4] {
+    let Rect { x0, y0, x1, y1 } = area;
+    let (left, top) = (x0.saturating_add(1).min(x1), y0.saturating_add(1).min(y1));
+    let (right, bottom) = (x1.saturating_sub(1).max(left), y1.saturating_sub(1).max(top));
+    let between = Rect { y0: top, y1: bottom, ..area };
+    [Rect { y1: top, ..area }, Rect { y0: bottom, ..area }, Rect { x1: left, ..between }, Rect { x0: right, ..between }]
 }

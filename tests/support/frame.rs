@@ -35,6 +35,7 @@ pub(crate) enum Shape {
     Rectangle([Units; 3]),
     Disc(Rect),
     Circle(Rect),
+    Outline(Rect),
 }
 
 impl Shape {
@@ -42,7 +43,7 @@ impl Shape {
     pub(crate) fn random(rng: &mut Rng) -> Self {
         let scale = rng.pick(&Scale::ALL);
         let place = |rng: &mut Rng| (rng.int(-2_000, 14_000), rng.int(-1_500, 10_000));
-        match rng.below(10) {
+        match rng.below(11) {
             0 => {
                 let [a, b] = ends_of_line(rng, scale);
                 Self::Line(a, b)
@@ -62,7 +63,7 @@ impl Shape {
                 Self::Triangle([place(rng), far[0], far[1]])
             }
             5 => Self::Rectangle([place(rng), place(rng), place(rng)]),
-            8 | 9 => {
+            9 | 10 => {
                 let (x, y) = (rng.int(-9, 40), rng.int(-9, 30));
                 let (width, height) = (rng.int(0, 33), rng.int(0, 33));
                 // Most of them round, and many of those wholly inside.
@@ -73,6 +74,11 @@ impl Shape {
                 } else {
                     Self::Circle(area)
                 }
+            }
+            6 => {
+                let mut end = || (rng.int(-4, 50), rng.int(-4, 40));
+                let (a, b) = (end(), end());
+                Self::Outline(Rect { x0: a.0, y0: a.1, x1: b.0, y1: b.1 })
             }
             _ => Self::Polygon((0..rng.range(3, 9)).map(|_| place(rng)).collect()),
         }
@@ -92,6 +98,7 @@ impl Shape {
             }
             Self::Disc(area) => surface.fill_ellipse(Ellipse::in_box(*area), color),
             Self::Circle(area) => surface.draw_ellipse(*area, color),
+            Self::Outline(area) => surface.draw_rectangle(*area, color),
         }
     }
 
@@ -104,6 +111,7 @@ impl Shape {
             Self::Rectangle([a, b, _]) => twins::rectangle(*a, *b, window),
             Self::Disc(area) => runs_where(window, |x, y| twins::box_ellipse_has(*area, x, y)),
             Self::Circle(area) => runs_where(window, |x, y| twins::outline_has(*area, x, y)),
+            Self::Outline(area) => runs_where(window, |x, y| twins::rectangle_outline_has(*area, x, y)),
         };
         runs.into_iter().flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y))).collect()
     }

@@ -13,12 +13,16 @@
 
 pub(crate) mod curves;
 pub(crate) mod frame;
-pub(crate) mod golden;
 pub(crate) mod hits;
+pub(crate) mod letters;
 pub(crate) mod memory;
+pub(crate) mod meshes;
+pub(crate) mod outlines;
 pub(crate) mod rng;
+pub(crate) mod rounds;
 pub(crate) mod scenes;
 pub(crate) mod strokes;
+pub(crate) mod tools;
 pub(crate) mod twins;
 
 use embedded_raster::{ClippedSpan, Rect, Vertex};

@@ -96,6 +96,15 @@ pub(crate) fn rectangle(a: Units, b: Units, window: Rect) -> Vec<Run> {
     runs_where(window, |x, y| within(centre(x), a.0, b.0) && within(centre(y), a.1, b.1))
 }
 
+/// Does the outline of a box of pixels have a pixel? Of those in the box, the ones beside a pixel that is not.
+pub(crate) fn rectangle_outline_has(area: Rect, x: i32, y: i32) -> bool {
+    let (x, y) = (i64::from(x), i64::from(y));
+    let inside = |x: i64, y: i64| {
+        i64::from(area.x0) <= x && x < i64::from(area.x1) && i64::from(area.y0) <= y && y < i64::from(area.y1)
+    };
+    inside(x, y) && [(-1, 0), (1, 0), (0, -1), (0, 1)].iter().any(|&(dx, dy)| !inside(x + dx, y + dy))
+}
+
 /// The pixels of a line that lie in a window, in the order of the line: after k steps along the longer axis
 /// `m(k) = floor((2 k db + da) / (2 da))` along the other.
 ///

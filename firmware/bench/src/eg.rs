@@ -9,11 +9,13 @@ use embedded_graphics::mono_font::MonoTextStyleBuilder;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle, RoundedRectangle, Triangle as EgTriangle};
+use embedded_graphics::primitives::{
+    Circle, Line, PrimitiveStyle, Rectangle, RoundedRectangle, Triangle as EgTriangle,
+};
 use embedded_graphics::text::Text;
 
 use crate::engine::Engine;
-use crate::scene::{corner, Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+use crate::scene::{corner, Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, THICK, WIDTH};
 
 /// A frame of embedded-graphics.
 type Frame<C, const N: usize> = Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
@@ -36,7 +38,8 @@ pub const GRAY4: Engine<Gray4Frame> = engine(Format::Gray4, |frame| frame.data_m
 /// At 1 bit.
 pub const BINARY: Engine<BinaryFrame> = engine(Format::Binary, |frame| frame.data_mut().fill(0), |frame| frame.data());
 
-/// embedded-graphics fills no polygons, and knows neither colour keys nor colour tables.
+/// embedded-graphics fills no polygons, draws no curves, rounds no corners of lines, and knows neither colour keys nor
+/// colour tables.
 const fn engine<F>(format: Format, blacken: fn(&mut F), bytes: fn(&F) -> &[u8]) -> Engine<F>
 where
     F: DrawTarget<Error = Infallible>,
@@ -54,6 +57,7 @@ where
     engine.discs = Some(discs);
     engine.circles = Some(circles);
     engine.rounded = Some(rounded);
+    engine.thick = Some(thick);
     engine.blit = Some(blit);
     engine.text = Some(|frame, labels| {
         let Ok(()) = text(frame, labels, F::Color::inked);
@@ -117,6 +121,18 @@ where
     for line in lines {
         let [from, to] = line.ends;
         let style = PrimitiveStyle::with_stroke(F::Color::inked(line.ink), 1);
+        let Ok(()) = Line::new(from, to).into_styled(style).draw(frame);
+    }
+}
+
+fn thick<F>(frame: &mut F, lines: &[Segment])
+where
+    F: DrawTarget<Error = Infallible>,
+    F::Color: Inked,
+{
+    for line in lines {
+        let [from, to] = line.ends;
+        let style = PrimitiveStyle::with_stroke(F::Color::inked(line.ink), THICK);
         let Ok(()) = Line::new(from, to).into_styled(style).draw(frame);
     }
 }

@@ -1,6 +1,8 @@
 //! An engine: what it can draw, as a set of functions over its frame `F`.
 
-use crate::scene::{Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, Work};
+use crate::scene::{
+    Blob, Curve, Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Track, Triangle, Work,
+};
 
 /// Functions that draw workloads into a frame `F`. What is `None` is left out of the table.
 ///
@@ -37,6 +39,14 @@ pub struct Engine<F> {
     pub flood: Option<fn(&mut F, &Flooded<'_>)>,
     /// A filled simple polygon.
     pub polygon: Option<fn(&mut F, &Outline<'_>)>,
+    /// Cubic curves, one pixel wide.
+    pub curves: Option<fn(&mut F, &[Curve])>,
+    /// What cubic curves enclose.
+    pub blob: Option<fn(&mut F, &Blob<'_>)>,
+    /// Lines [`THICK`](crate::scene::THICK) pixels wide, without caps.
+    pub thick: Option<fn(&mut F, &[Segment])>,
+    /// Lines with a width and round corners, with gaps or without.
+    pub track: Option<fn(&mut F, &Track<'_>)>,
     /// A picture at several places.
     pub blit: Option<fn(&mut F, &Sprite<'_>)>,
     /// The same, leaving out the pixels whose value is 0.
@@ -66,6 +76,10 @@ impl<F> Engine<F> {
             rounded: None,
             flood: None,
             polygon: None,
+            curves: None,
+            blob: None,
+            thick: None,
+            track: None,
             blit: None,
             blit_key: None,
             expand: None,
@@ -87,6 +101,10 @@ impl<F> Engine<F> {
             Work::Rounded(rounded) => self.rounded?(frame, rounded),
             Work::Flood(flooded) => self.flood?(frame, flooded),
             Work::Polygon(outline) => self.polygon?(frame, outline),
+            Work::Curves(curves) => self.curves?(frame, curves),
+            Work::Blob(blob) => self.blob?(frame, blob),
+            Work::Thick(lines) => self.thick?(frame, lines),
+            Work::Track(track) => self.track?(frame, track),
             Work::Blit(sprite) => self.blit?(frame, sprite),
             Work::BlitKey(sprite) => self.blit_key?(frame, sprite),
             Work::Expand(indexed) => self.expand?(frame, indexed),

@@ -7,12 +7,18 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_raster::pixel::row_bytes;
 use embedded_raster::raster::flood::{Pending, Reach};
 use embedded_raster::{
-    Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index8, Palette, PixelFormat, Radii, Surface, Vertex,
+    Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index8, Join, Palette, Path, PathSegment, PixelFormat, Radii,
+    Stroke, Surface, Vertex,
 };
+
+use fixed::types::I24F8;
 
 use crate::eg;
 use crate::engine::Engine;
-use crate::scene::{corner, Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Triangle, HEIGHT, WIDTH};
+use crate::scene::{
+    corner, Blob, Curve, Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Track, Triangle, HEIGHT,
+    THICK, WIDTH,
+};
 
 /// Memory of a frame, as a firmware has it in a `static`, and the table of polygons.
 #[repr(align(4))]
@@ -69,6 +75,10 @@ const fn engine<F: PixelFormat>(format: Format) -> Engine<Frame<F>> {
     engine.rounded = Some(rounded);
     engine.flood = Some(flood);
     engine.polygon = Some(polygon);
+    engine.curves = Some(curves);
+    engine.blob = Some(blob);
+    engine.thick = Some(thick);
+    engine.track = Some(track);
     engine.blit = Some(|frame, sprite| {
         let source = bitmap::<F>(sprite);
         sprite.at.iter().for_each(|&at| frame.surface().blit(at, &source));
@@ -150,6 +160,47 @@ fn polygon<F: PixelFormat>(frame: &mut Frame<F>, outline: &Outline<'_>) {
     let vertices = outline.units.iter().map(|&v| vertex(v));
     let color = color::<F>(outline.ink);
     surface.fill_contours([vertices], FillRule::NonZero, &mut frame.table, color).unwrap();
+}
+
+fn curves<F: PixelFormat>(frame: &mut Frame<F>, curves: &[Curve]) {
+    let mut surface = frame.surface();
+    for curve in curves {
+        surface.draw_cubic(curve.units.map(vertex), color::<F>(curve.ink));
+    }
+}
+
+fn blob<F: PixelFormat>(frame: &mut Frame<F>, blob: &Blob<'_>) {
+    let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
+    let mut segments = [PathSegment::MoveTo(vertex(blob.curves[0][0])); Blob::CURVES + 1];
+    for (segment, curve) in segments[1..].iter_mut().zip(blob.curves) {
+        let [_, c, d, b] = curve.map(vertex);
+        *segment = PathSegment::CubicTo(c, d, b);
+    }
+    let color = color::<F>(blob.ink);
+    surface.fill_path(Path::new(&segments), FillRule::NonZero, &mut frame.table, color).unwrap();
+}
+
+fn thick<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
+    let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
+    let stroke = Stroke::px(THICK as u16);
+    for line in lines {
+        let ends = line.ends.map(Vertex::centre_of);
+        surface.stroke_line(ends, &stroke, &mut frame.table, color::<F>(line.ink)).unwrap();
+    }
+}
+
+fn track<F: PixelFormat>(frame: &mut Frame<F>, track: &Track<'_>) {
+    let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
+    let (places, color) = (track.units.map(vertex), color::<F>(track.ink));
+    let stroke = Stroke::px(track.width).with_join(Join::Round);
+    match track.dashes {
+        Some(lengths) => {
+            let lengths = lengths.map(I24F8::from);
+            let stroke = stroke.dashed(&lengths, I24F8::ZERO);
+            surface.stroke_polyline(&places, false, &stroke, &mut frame.table, color).unwrap();
+        }
+        None => surface.stroke_polyline(&places, false, &stroke, &mut frame.table, color).unwrap(),
+    }
 }
 
 fn vertex([x, y]: [i32; 2]) -> Vertex {

@@ -77,6 +77,7 @@ macro_rules! entry_points {
                 frame.draw_square_point(at, size.x, color);
                 frame.fill_rounded(area, *radii, color);
                 frame.draw_rounded(area, *radii, color);
+                frame.draw_rectangle(area, color);
                 frame.draw_arc(area, sector, color);
                 frame.fill_ring_sector(ring, hole, sector, color);
             })
@@ -103,7 +104,11 @@ macro_rules! entry_points {
         }
         #[no_mangle]
         pub unsafe extern "C" fn $line(m: &Memory, a: [i32; 2], b: [i32; 2]) -> bool {
-            m.with::<$format>(|frame, color| frame.draw_line(Point::new(a[0], a[1]), Point::new(b[0], b[1]), color))
+            m.with::<$format>(|frame, color| {
+                let (a, b) = (Point::new(a[0], a[1]), Point::new(b[0], b[1]));
+                frame.draw_line(a, b, color);
+                frame.draw_polygon([a, b, Point::new(a.x, b.y)], color);
+            })
         }
         #[no_mangle]
         pub unsafe extern "C" fn $triangle(m: &Memory, corners: [[i32; 2]; 3]) -> bool {

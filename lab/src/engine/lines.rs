@@ -66,7 +66,7 @@ fn dda<const FRACTION: u32>(frame: &mut Frame, a: Point, b: Point) {
 }
 
 /// Bresenham's loop for all octants.
-fn bresenham(frame: &mut Frame, a: Point, b: Point) {
+pub(super) fn bresenham(frame: &mut Frame, a: Point, b: Point) {
     let (dx, dy) = ((b.x - a.x).abs(), (b.y - a.y).abs());
     let (step_x, step_y) = ((b.x - a.x).signum(), (b.y - a.y).signum());
     let (Point { mut x, mut y }, steep) = (a, dy > dx);

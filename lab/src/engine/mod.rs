@@ -1,11 +1,15 @@
 //! Engines: ways to draw a list of shapes, each on a screen of its own.
 
+pub(crate) mod curves;
 pub(crate) mod ellipses;
 pub(crate) mod floods;
 pub(crate) mod lines;
 pub(crate) mod memory;
+pub(crate) mod outlines;
+pub(crate) mod paths;
 pub(crate) mod peers;
 pub(crate) mod polygons;
+pub(crate) mod strokes;
 pub(crate) mod triangles;
 
 use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
@@ -16,11 +20,11 @@ use crate::{
     workload::Workload,
 };
 
-/// Draws shapes of type `S`.
-pub(crate) trait Engine<S> {
+/// Draws shapes of type `S`. What it leaves is of type `D`: painted pixels, mostly.
+pub(crate) trait Engine<S, D = Mask> {
     fn draw(&mut self, shapes: &[S]);
     fn clear(&mut self);
-    fn painted(&self) -> Mask;
+    fn painted(&self) -> D;
 }
 
 /// Where an engine comes from: the colour of its mark in the plots.
@@ -32,25 +36,30 @@ pub(crate) enum Origin {
 }
 
 /// A row of the tables.
-pub(crate) struct Entry<S> {
+pub(crate) struct Entry<S, D = Mask> {
     /// Names the row on the command line of a child.
     pub(crate) key: &'static str,
     pub(crate) name: &'static str,
     pub(crate) origin: Origin,
-    /// Whether it can draw shapes whose corners lie far off the screen.
-    pub(crate) goes_far: bool,
-    pub(crate) engine: Box<dyn Engine<S>>,
+    /// Whether it can draw the workloads that not everybody can.
+    pub(crate) can_hard: bool,
+    pub(crate) engine: Box<dyn Engine<S, D>>,
 }
 
-impl<S> Entry<S> {
+impl<S, D> Entry<S, D> {
     /// Whether it draws this workload or sits it out.
     pub(crate) fn can(&self, workload: &Workload<S>) -> bool {
-        self.goes_far || !workload.far
+        self.can_hard || !workload.hard
     }
 }
 
-fn entry<S>(key: &'static str, name: &'static str, origin: Origin, engine: impl Engine<S> + 'static) -> Entry<S> {
-    Entry { key, name, origin, goes_far: true, engine: Box::new(engine) }
+fn entry<S, D>(
+    key: &'static str,
+    name: &'static str,
+    origin: Origin,
+    engine: impl Engine<S, D> + 'static,
+) -> Entry<S, D> {
+    Entry { key, name, origin, can_hard: true, engine: Box::new(engine) }
 }
 
 /// An algorithm on the plain [`Frame`].

@@ -93,6 +93,11 @@ pub(super) fn hairline(pixmap: &mut Pixmap, path: Option<&Path>) {
     pixmap.stroke_path(path, &paint(), &Stroke { width: 0.0, ..Stroke::default() }, Transform::identity(), None);
 }
 
+pub(super) fn stroke(pixmap: &mut Pixmap, path: Option<&Path>, stroke: &Stroke) {
+    let Some(path) = path else { return };
+    pixmap.stroke_path(path, &paint(), stroke, Transform::identity(), None);
+}
+
 pub(super) fn fill(pixmap: &mut Pixmap, path: Option<&Path>) {
     let Some(path) = path else { return };
     pixmap.fill_path(path, &paint(), FillRule::Winding, Transform::identity(), None);

@@ -27,7 +27,7 @@ pub(crate) fn entries() -> Vec<Entry<Polygon>> {
             Textbook,
             plain(move |f, p: &Polygon| every_side(f, p, &mut crossings)),
         ),
-        entry("float-edges", "f32 edge table, x += slope", Textbook, plain(edge_table)),
+        entry("float-edges", "f32 edge table, x += slope", Textbook, plain(|f, p: &Polygon| edge_table(f, &p.floats))),
         entry("fill", "exact edge table: `polygon::fill`", Crate, plain(move |f, p: &Polygon| exact(f, p))),
         entry(
             "canvas",
@@ -59,8 +59,8 @@ fn fill_pairs(frame: &mut Frame, y: i32, crossings: &mut [f32]) {
 }
 
 /// Rows of the screen that the outline touches.
-fn rows(polygon: &Polygon) -> std::ops::Range<i32> {
-    let heights = || polygon.floats.iter().map(|v| v.1);
+fn rows(corners: &[(f32, f32)]) -> std::ops::Range<i32> {
+    let heights = || corners.iter().map(|v| v.1);
     let (top, bottom) = (heights().fold(f32::MAX, f32::min), heights().fold(f32::MIN, f32::max));
     top.max(0.0) as i32..(bottom.ceil() as i32).min(HEIGHT)
 }
@@ -68,7 +68,7 @@ fn rows(polygon: &Polygon) -> std::ops::Range<i32> {
 /// The textbook's loop: on each row all sides are tried, the crossings sorted, every second gap filled.
 fn every_side(frame: &mut Frame, polygon: &Polygon, crossings: &mut Vec<f32>) {
     let corners = &polygon.floats;
-    for y in rows(polygon) {
+    for y in rows(corners) {
         let centre = y as f32 + 0.5;
         crossings.clear();
         let mut a = corners[corners.len() - 1];
@@ -91,12 +91,12 @@ struct FloatEdge {
 }
 
 /// The textbook's edge table: crossings move from row to row by adding the slope.
-fn edge_table(frame: &mut Frame, polygon: &Polygon) {
-    let mut waiting = float_edges(polygon);
+pub(super) fn edge_table(frame: &mut Frame, corners: &[(f32, f32)]) {
+    let mut waiting = float_edges(corners);
     waiting.sort_unstable_by_key(|edge| edge.first);
     let (mut active, mut crossings) = (Vec::<FloatEdge>::new(), Vec::new());
     let mut waiting = waiting.into_iter().peekable();
-    for y in rows(polygon) {
+    for y in rows(corners) {
         active.retain(|edge| edge.end > y);
         while let Some(edge) = waiting.next_if(|edge| edge.first <= y) {
             active.push(edge);
@@ -111,8 +111,7 @@ fn edge_table(frame: &mut Frame, polygon: &Polygon) {
 }
 
 /// The sides that cross a row of the screen, each at its first one.
-fn float_edges(polygon: &Polygon) -> Vec<FloatEdge> {
-    let corners = &polygon.floats;
+fn float_edges(corners: &[(f32, f32)]) -> Vec<FloatEdge> {
     let next = corners.iter().cycle().skip(1);
     let edge = |(&a, &b): (&(f32, f32), &(f32, f32))| {
         let (a, b) = if a.1 <= b.1 { (a, b) } else { (b, a) };

@@ -56,7 +56,7 @@ pub(crate) fn entries() -> Vec<Entry<Triangle>> {
     ];
     for entry in &mut entries {
         // It visits every pixel of the triangle, on the screen or not, and its products overflow.
-        entry.goes_far = entry.key != "eg";
+        entry.can_hard = entry.key != "eg";
     }
     entries
 }

@@ -29,7 +29,7 @@ pub enum Command {
     Polygon(Vec<Point>),
     /// Fills what has one colour and is connected by sides.
     Fill(Point),
-    /// Changes an entry of the palette, and takes back all cycling. Entries beyond the depth are kept, and not shown.
+    /// Changes an entry of the palette, and takes back all cycling. An entry beyond the depth is an error.
     Palette(u8, Rgb888),
     /// The entries that cycle, both ends included.
     Range(u8, u8),

@@ -60,6 +60,8 @@ impl fmt::Display for Done {
 pub enum Failure {
     /// The library says so.
     Draw(Error),
+    /// The palette of the sheet has no entry of this number: it has so many.
+    NoEntry(u8, usize),
     /// There is nothing to undo, or to redo.
     NoStep(&'static str),
     /// The file cannot be written, and why.
@@ -70,6 +72,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Draw(error) => error.fmt(f),
+            Self::NoEntry(index, entries) => write!(f, "there is no entry {index} among the {entries} of the palette"),
             Self::NoStep(what) => write!(f, "nothing to {what}"),
             Self::Save(why) => f.write_str(why),
         }
@@ -153,6 +156,9 @@ impl Paint {
                 sheet = Sheet { palette: sheet.palette, ..Sheet::new((*width, *height), sheet.bits) };
             }
             Command::Bits(bits) => sheet = Sheet::new(sheet.size, *bits),
+            Command::Palette(index, _) if usize::from(*index) >= sheet.colors() => {
+                return Err(Failure::NoEntry(*index, sheet.colors()));
+            }
             Command::Palette(index, color) => {
                 sheet.palette.set(*index, *color);
             }

@@ -5,8 +5,8 @@ use embedded_raster::{
     buffer_bytes,
     pixel::EGA,
     raster::flood::{Pending, Reach},
-    Canvas, Edge, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Radii, Rect,
-    Surface, Vertex,
+    Canvas, Edge, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Rect, Surface,
+    Vertex,
 };
 
 use super::command::Command;
@@ -112,7 +112,7 @@ fn draw<C: PixelFormat>(
         Command::Ellipse(corners) if ink.filled => frame.fill_enclosed(area(*corners), color),
         Command::Ellipse(corners) => frame.draw_ellipse(area(*corners), color),
         Command::Rectangle(corners) if ink.filled => frame.fill_area(area(*corners), color),
-        Command::Rectangle(corners) => frame.draw_rounded(area(*corners), Radii::all(0), color),
+        Command::Rectangle(corners) => frame.draw_rectangle(area(*corners), color),
         Command::Polygon(corners) => {
             if ink.filled {
                 let outline: Vec<_> = corners.iter().map(|&corner| Vertex::centre_of(corner)).collect();
@@ -120,7 +120,7 @@ fn draw<C: PixelFormat>(
                 frame.fill_polygon(&outline, FillRule::EvenOdd, &mut table, color)?;
             }
             // The pixels that were clicked on belong to it.
-            frame.draw_polyline(corners.iter().chain(corners.first()).copied(), color);
+            frame.draw_polygon(corners.iter().copied(), color);
         }
         Command::Fill(seed) => {
             let mut table = vec![Pending::EMPTY; ink.scratch.slots];

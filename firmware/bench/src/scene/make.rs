@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 
-use super::{Flooded, Ink, Label, Lcg, Rect, Segment, Triangle, Units, HEIGHT, WIDTH};
+use super::{Blob, Curve, Flooded, Ink, Label, Lcg, Rect, Segment, Track, Triangle, Units, HEIGHT, THICK, WIDTH};
 
 /// The colour of single shapes: its two bytes differ, so that swapped ones would show.
 pub(super) const INK: Ink = Ink(0xB6D3);
@@ -114,6 +114,7 @@ const ONE: i64 = 1 << 30;
 fn circle(n: i32) -> impl Iterator<Item = (i64, i64)> {
     // Cosine and sine of a turn divided by n.
     let (cos, sin) = match n {
+        8 => (759_250_125, 759_250_125),
         10 => (868_675_383, 631_129_609),
         32 => (1_053_110_176, 209_476_638),
         200 => (1_073_211_997, 33_727_046),
@@ -231,6 +232,98 @@ pub(super) fn flood(shapes: &[Rect], round: bool) -> Flooded<'_> {
         (first.top_left, areas - shapes.len() as u32 + 1)
     };
     Flooded { shapes, round, seed, inks: [Ink(0x0861), INK, Ink(0x5A9D)], pixels }
+}
+
+/// The centre of a pixel.
+fn centre(p: Point) -> Units {
+    [p.x * 256 + 128, p.y * 256 + 128]
+}
+
+/// A pixel anywhere in the frame, not so near to the border.
+fn inner(random: &mut Lcg) -> Point {
+    Point::new(random.between(8, W - 8), random.between(8, H - 8))
+}
+
+/// Cubic curves whose points lie anywhere in the frame.
+pub(super) fn curves<const N: usize>(random: &mut Lcg) -> [Curve; N] {
+    from_fn(|_| Curve { units: from_fn(|_| centre(inner(random))), ink: random.ink() })
+}
+
+/// Around the centre; every second corner is further in.
+pub(super) fn blob() -> [[Units; 4]; Blob::CURVES] {
+    let mut directions = circle(Blob::CURVES as i32);
+    let ways: [(i64, i64); Blob::CURVES] = from_fn(|_| directions.next().unwrap_or_default());
+    let corner = |i: usize| {
+        let (x, y) = ways[i % Blob::CURVES];
+        let radius = if i % 2 == 0 { 110 } else { 80 };
+        // Where the corner is, and how the curve goes on from there: around the centre.
+        (CENTRE + scaled((x, y), radius), scaled((-y, x), radius / 4))
+    };
+    from_fn(|i| {
+        let ((a, out), (b, back)) = (corner(i), corner(i + 1));
+        [a, a + out, b - back, b].map(centre)
+    })
+}
+
+/// Lines between pixels anywhere.
+pub(super) fn thick_lines<const N: usize>(random: &mut Lcg) -> [Segment; N] {
+    from_fn(|_| Segment { ends: [inner(random), inner(random)], ink: random.ink() })
+}
+
+/// To and fro, from the left to the right.
+pub(super) fn track(random: &mut Lcg) -> [Units; Track::PLACES] {
+    from_fn(|i| {
+        let y = if i % 2 == 0 { random.between(10, 90) } else { random.between(150, H - 10) };
+        centre(Point::new(15 + 26 * i as i32, y))
+    })
+}
+
+/// A curve at `t / 64`, in units.
+fn curve_at(points: &[Units; 4], t: i64) -> [i64; 2] {
+    let s = 64 - t;
+    let weights = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
+    let sum = |axis: usize| points.iter().zip(weights).map(|(p, w)| i64::from(p[axis]) * w).sum::<i64>() >> 18;
+    [sum(0), sum(1)]
+}
+
+/// Of a line along a curve, in 64 pieces: steps along the longer axis.
+pub(super) fn curve_pixels(points: &[Units; 4]) -> u32 {
+    let step = |t: i64| {
+        let (a, b) = (curve_at(points, t), curve_at(points, t + 1));
+        (b[0] - a[0]).abs().max((b[1] - a[1]).abs())
+    };
+    ((0..64).map(step).sum::<i64>() / 256) as u32 + 1
+}
+
+/// The area, each curve being 64 lines.
+pub(super) fn blob_pixels(curves: &[[Units; 4]]) -> u32 {
+    let twice = |curve: &[Units; 4]| {
+        let cross = |t: i64| {
+            let (a, b) = (curve_at(curve, t), curve_at(curve, t + 1));
+            a[0] * b[1] - b[0] * a[1]
+        };
+        (0..64).map(cross).sum::<i64>()
+    };
+    (curves.iter().map(twice).sum::<i64>().unsigned_abs() >> 17) as u32
+}
+
+/// Its area.
+pub(super) fn thick_pixels([from, to]: [Point; 2]) -> u32 {
+    let [a, b] = [centre(from), centre(to)];
+    side(a, b) * THICK / 256
+}
+
+/// The areas of its lines, without the gaps.
+pub(super) fn track_pixels(track: &Track<'_>) -> u32 {
+    let length: u32 = track.units.windows(2).map(|ends| side(ends[0], ends[1])).sum();
+    let area = length * u32::from(track.width) / 256;
+    track.dashes.map_or(area, |[on, off]| area * u32::from(on) / u32::from(on + off))
+}
+
+/// Its length in units.
+fn side(a: Units, b: Units) -> u32 {
+    let square = |axis: usize| i64::from(a[axis] - b[axis]).pow(2) as u64;
+    (square(0) + square(1)).isqrt() as u32
 }
 
 /// A frame that only counts.

@@ -19,6 +19,9 @@ pub const fn corner() -> u32 {
     make::CORNER
 }
 
+/// Pixels across thick lines.
+pub const THICK: u32 = 7;
+
 /// Pixels in a row of the frame.
 pub const WIDTH: usize = 320;
 /// Rows of the frame.
@@ -78,6 +81,45 @@ pub struct Outline<'a> {
     pub units: &'a [Units],
     /// Its colour.
     pub ink: Ink,
+}
+
+/// A cubic Bézier curve.
+#[derive(Copy, Clone)]
+pub struct Curve {
+    /// Its start, its control points, its end.
+    pub units: [Units; 4],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// What cubic curves enclose, each from the end of the one before.
+pub struct Blob<'a> {
+    /// The curves.
+    pub curves: &'a [[Units; 4]; Blob::CURVES],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+impl Blob<'_> {
+    /// How many curves there are.
+    pub const CURVES: usize = 8;
+}
+
+/// Lines with a width, round corners and no caps.
+pub struct Track<'a> {
+    /// From the first place to the last one.
+    pub units: &'a [Units; Track::PLACES],
+    /// In pixels.
+    pub width: u16,
+    /// Pixels with and without colour in turn.
+    pub dashes: Option<[u16; 2]>,
+    /// Its colour.
+    pub ink: Ink,
+}
+
+impl Track<'_> {
+    /// How many places there are.
+    pub const PLACES: usize = 12;
 }
 
 /// A region to flood, and what it is made of.
@@ -152,6 +194,14 @@ pub enum Work<'a> {
     Flood(Flooded<'a>),
     /// A filled polygon.
     Polygon(Outline<'a>),
+    /// Curves one pixel wide.
+    Curves(&'a [Curve]),
+    /// A filled path.
+    Blob(Blob<'a>),
+    /// Thick lines.
+    Thick(&'a [Segment]),
+    /// Thick lines around corners.
+    Track(Track<'a>),
     /// A picture.
     Blit(Sprite<'a>),
     /// A picture with transparent pixels.
@@ -196,11 +246,15 @@ pub struct Scene {
     rounded: [Rect; 1],
     flood: [Rect; 1],
     maze: [Rect; make::MAZE],
+    curves: [Curve; 16],
+    blob: [[Units; 4]; Blob::CURVES],
+    thick: [Segment; 32],
+    track: [Units; Track::PLACES],
 }
 
 impl Scene {
     /// Number of workloads.
-    pub const LEN: usize = 23;
+    pub const LEN: usize = 28;
 
     /// Makes all data, the same each time.
     pub fn new() -> Self {
@@ -225,6 +279,10 @@ impl Scene {
             rounded: [make::rect(random, Point::new(77, 61), 161, 101)],
             flood: [make::rect(random, Point::new(60, 20), 199, 199)],
             maze: make::spiral(random),
+            curves: make::curves(random),
+            blob: make::blob(),
+            thick: make::thick_lines(random),
+            track: make::track(random),
         }
     }
 
@@ -234,6 +292,7 @@ impl Scene {
         let sprite = || Sprite { bytes: &pictures.sprite, at: &self.sprites };
         let polygon = |(px, units): (&'a [Point], &'a [Units])| Outline { px, units, ink };
         let (star, outline) = (&self.star, &self.outline);
+        let track = |width, dashes| Track { units: &self.track, width, dashes, ink };
         [
             ("clear", Work::Clear(ink)),
             ("rect-200x151", Work::Rects(&self.rect)),
@@ -253,6 +312,11 @@ impl Scene {
             ("rounded-161x101", Work::Rounded(&self.rounded)),
             ("flood-disc", Work::Flood(make::flood(&self.flood, true))),
             ("flood-maze", Work::Flood(make::flood(&self.maze, false))),
+            ("curves-thin", Work::Curves(&self.curves)),
+            ("blob-8", Work::Blob(Blob { curves: &self.blob, ink })),
+            ("lines-7-wide", Work::Thick(&self.thick)),
+            ("stroke-9-wide", Work::Track(track(9, None))),
+            ("stroke-dashed", Work::Track(track(5, Some([12, 8])))),
             ("blit-64", Work::Blit(sprite())),
             ("blit-key-64", Work::BlitKey(sprite())),
             ("expand-8bit", Work::Expand(pictures.indexed())),
@@ -273,11 +337,12 @@ impl Work<'_> {
     /// How many items are drawn.
     fn calls(&self) -> usize {
         match self {
-            Self::Clear(_) | Self::Polygon(_) | Self::Expand(_) => 1,
+            Self::Clear(_) | Self::Polygon(_) | Self::Expand(_) | Self::Blob(_) | Self::Track(_) => 1,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => rects.len(),
             Self::Discs(boxes) | Self::Circles(boxes) | Self::Rounded(boxes) => boxes.len(),
             Self::Flood(_) => 2,
-            Self::Lines(lines) => lines.len(),
+            Self::Lines(lines) | Self::Thick(lines) => lines.len(),
+            Self::Curves(curves) => curves.len(),
             Self::Triangles(triangles) => triangles.len(),
             Self::Blit(sprite) | Self::BlitKey(sprite) => sprite.at.len(),
             Self::Text(labels) => labels.len(),
@@ -294,6 +359,10 @@ impl Work<'_> {
             Self::Lines(lines) => lines.iter().map(|line| make::length(line.ends)).sum(),
             Self::Triangles(all) => all.iter().map(|t| make::twice_area(&t.px)).sum::<u32>() / 2,
             Self::Polygon(outline) => make::twice_area(outline.px) / 2,
+            Self::Curves(curves) => curves.iter().map(|curve| make::curve_pixels(&curve.units)).sum(),
+            Self::Blob(blob) => make::blob_pixels(blob.curves),
+            Self::Thick(lines) => lines.iter().map(|line| make::thick_pixels(line.ends)).sum(),
+            Self::Track(track) => make::track_pixels(track),
             Self::Discs(boxes) => boxes.iter().map(make::disc_pixels).sum(),
             Self::Circles(boxes) => boxes.iter().map(make::circle_pixels).sum(),
             Self::Rounded(boxes) => boxes.iter().map(make::rounded_pixels).sum(),

@@ -9,9 +9,22 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use embedded_raster::{
-    pixel::Be, raster::triangle, surface::Paged, Bitmap, Canvas, Edge, FillRule, Framebuffer, Index4, Index8, Palette,
-    PixelFormat, Rect, Surface, Vertex,
+    geom::{
+        clip::{self, Part},
+        delaunay, exact, polygon,
+        triangulate::{self, Node},
+        Viewport,
+    },
+    pixel::{Be, Lsb0},
+    raster::{
+        flood::{Pending, Reach},
+        triangle,
+    },
+    surface::Paged,
+    Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment,
+    PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
 };
+use fixed::types::I24F8;
 
 /// Everything that a call is given. Vertices and edges have any bits in them.
 #[repr(C)]
@@ -31,6 +44,17 @@ pub struct Arguments {
     points: [Point; 2],
     corners: [Vertex; 3],
     color: u32,
+    radii: Radii,
+    angles: [u32; 2],
+    pending: *mut Pending,
+    pending_len: usize,
+    path: *const PathSegment,
+    path_len: usize,
+    stroke: Stroke,
+    lengths: *const I24F8,
+    lengths_len: usize,
+    phase: I24F8,
+    flag: bool,
 }
 
 impl Arguments {
@@ -44,6 +68,20 @@ impl Arguments {
         Bitmap::with_stride(bytes, self.rows[0], self.rows[1], self.stride).ok()
     }
 
+    unsafe fn outline(&self) -> &[Vertex] {
+        slice::from_raw_parts(self.outline, self.outline_len)
+    }
+
+    /// Nobody else holds it meanwhile.
+    #[allow(clippy::mut_from_ref)]
+    unsafe fn table(&self) -> &mut [Edge] {
+        slice::from_raw_parts_mut(self.table, self.table_len)
+    }
+
+    unsafe fn path(&self) -> Path<'_> {
+        Path::new(slice::from_raw_parts(self.path, self.path_len))
+    }
+
     fn area(&self) -> Rect {
         let [x0, y0, x1, y1] = self.area;
         Rect { x0, y0, x1, y1 }
@@ -52,8 +90,7 @@ impl Arguments {
 
 unsafe fn shapes<F: PixelFormat>(a: &Arguments) -> Option<()> {
     let (frame, color) = (&mut a.frame::<F>()?, F::unpack(a.color));
-    let (outline, table) =
-        (slice::from_raw_parts(a.outline, a.outline_len), slice::from_raw_parts_mut(a.table, a.table_len));
+    let (outline, table) = (a.outline(), a.table());
     frame.clear(color);
     frame.draw_line(a.points[0], a.points[1], color);
     frame.fill_rectangle(a.corners[0], a.corners[1], color);
@@ -63,6 +100,62 @@ unsafe fn shapes<F: PixelFormat>(a: &Arguments) -> Option<()> {
     triangle::walk(a.corners, view.window(), |span| view.fill_span(span, color));
     view.fill_polygon(outline, FillRule::NonZero, table, color).ok()?;
     view.fill_polygon(outline, FillRule::EvenOdd, table, color).ok()
+}
+
+unsafe fn round<F: PixelFormat>(a: &Arguments) -> Option<()> {
+    let (mut memory, color) = (a.frame::<F>()?, F::unpack(a.color));
+    let frame = &mut memory.clipped(a.area());
+    let [at, size, inner] = a.corners;
+    let (ring, hole) = (Ellipse::new(at, size.x, size.y), Ellipse::splat(at, inner.x));
+    let [start, end] = a.angles.map(Angle::from_bits);
+    let sector = Sector::new(start, end);
+    frame.fill_ellipse(ring, color);
+    frame.fill_ellipse(Ellipse::in_box(a.area()), color);
+    frame.draw_ellipse(a.area(), color);
+    frame.fill_enclosed(a.area(), color);
+    frame.draw_round_point(at, size.x, color);
+    frame.draw_square_point(at, size.x, color);
+    frame.fill_rounded(a.area(), a.radii, color);
+    frame.draw_rounded(a.area(), a.radii, color);
+    frame.draw_rectangle(a.area(), color);
+    frame.draw_polygon(a.points, color);
+    frame.draw_arc(a.area(), sector, color);
+    frame.fill_sector(ring, sector, color);
+    frame.fill_ring(ring, hole, color);
+    frame.fill_ring_sector(ring, hole, sector, color);
+    let table = slice::from_raw_parts_mut(a.pending, a.pending_len);
+    let reach = if a.flag { Reach::Corners } else { Reach::Sides };
+    frame.flood_fill(a.points[0], reach, color, table);
+    frame.flood_fill_to(a.points[1], F::unpack(a.rows[0].into()), reach, color, table);
+    Some(())
+}
+
+unsafe fn paths<F: PixelFormat>(a: &Arguments) -> Option<()> {
+    let (mut memory, color) = (a.frame::<F>()?, F::unpack(a.color));
+    let frame = &mut memory.clipped(a.area());
+    let (path, table) = (a.path(), a.table());
+    let dashed = a.stroke.dashed(slice::from_raw_parts(a.lengths, a.lengths_len), a.phase);
+    let [from, through, to] = a.corners;
+    frame.draw_path(path, color);
+    frame.draw_quadratic(a.corners, color);
+    frame.draw_cubic([from, through, through, to], color);
+    frame.fill_path(path, FillRule::EvenOdd, table, color).ok()?;
+    frame.stroke_path(path, &a.stroke, table, color).ok()?;
+    frame.stroke_path(path, &dashed, table, color).ok()?;
+    frame.stroke_polyline(a.outline(), a.flag, &a.stroke, table, color).ok()?;
+    frame.stroke_line([from, to], &dashed, table, color).ok()
+}
+
+unsafe fn masks<F: PixelFormat>(a: &Arguments) -> Option<()> {
+    let (mut memory, color) = (a.frame::<F>()?, F::unpack(a.color));
+    let frame = &mut memory.clipped(a.area());
+    let bytes = slice::from_raw_parts(a.source, a.source_len);
+    let off = a.flag.then(|| F::unpack(a.rows[0].into()));
+    let mask = Bitmap::<Lsb0<Index1>>::with_stride(bytes, a.rows[0], a.rows[1], a.stride).ok()?;
+    frame.blit_mask(a.points[0], &mask.part(a.area()), color, off);
+    let mask = Bitmap::<BinaryColor>::with_stride(bytes, a.rows[0], a.rows[1], a.stride).ok()?;
+    frame.blit_mask(a.points[1], &mask, color, off);
+    Some(())
 }
 
 unsafe fn pictures<F: PixelFormat>(a: &Arguments) -> Option<()> {
@@ -87,7 +180,19 @@ unsafe fn target<F: PixelFormat>(a: &Arguments) -> Option<()> {
 }
 
 macro_rules! entry_points {
-    ($($shapes:ident $pictures:ident $target:ident: $format:ty;)*) => {$(
+    ($($shapes:ident $round:ident $paths:ident $masks:ident $pictures:ident $target:ident: $format:ty;)*) => {$(
+        #[no_mangle]
+        pub unsafe extern "C" fn $round(a: &Arguments) -> bool {
+            round::<$format>(a).is_some()
+        }
+        #[no_mangle]
+        pub unsafe extern "C" fn $paths(a: &Arguments) -> bool {
+            paths::<$format>(a).is_some()
+        }
+        #[no_mangle]
+        pub unsafe extern "C" fn $masks(a: &Arguments) -> bool {
+            masks::<$format>(a).is_some()
+        }
         #[no_mangle]
         pub unsafe extern "C" fn $shapes(a: &Arguments) -> bool {
             shapes::<$format>(a).is_some()
@@ -104,9 +209,9 @@ macro_rules! entry_points {
 }
 
 entry_points! {
-    shapes4 pictures4 target4: Index4;
-    shapes16 pictures16 target16: Rgb565;
-    shapes24 pictures24 target24: Be<Rgb888>;
+    shapes4 round4 paths4 masks4 pictures4 target4: Index4;
+    shapes16 round16 paths16 masks16 pictures16 target16: Rgb565;
+    shapes24 round24 paths24 masks24 pictures24 target24: Be<Rgb888>;
 }
 
 #[no_mangle]
@@ -136,4 +241,67 @@ pub unsafe extern "C" fn expand(a: &Arguments, small: &Palette<Rgb565, 16>, larg
     let (from, to) = (slice::from_raw_parts(a.source, a.source_len), slice::from_raw_parts_mut(a.bytes, a.len));
     small.expand::<Index4, Be<Rgb565>>(from, to);
     large.expand::<Index8, Rgb565>(from, to);
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn palette(
+    p: &mut Palette<Rgb888, 16>,
+    range: [usize; 2],
+    by: usize,
+    index: u8,
+    bits: u32,
+) -> u8 {
+    p.rotate(range[0]..range[1], by);
+    p.set(index, Rgb888::unpack(bits));
+    p.nearest(p.get(index).unwrap_or_default())
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn triangulate(
+    a: &Arguments,
+    starts: *const u16,
+    further: usize,
+    nodes: *mut Node,
+    slots: usize,
+    triangles: *mut [u16; 3],
+    most: usize,
+) -> u32 {
+    let (vertices, starts) = (a.outline(), slice::from_raw_parts(starts, further));
+    let (nodes, triangles) = (slice::from_raw_parts_mut(nodes, slots), slice::from_raw_parts_mut(triangles, most));
+    let mut sum = 0_u32;
+    let each = triangulate::each(vertices, starts, nodes, |[a, ..]| sum = sum.wrapping_add(a.into()));
+    match each.and_then(|()| triangulate::list(vertices, starts, nodes, triangles)) {
+        Ok(_) => sum,
+        Err(_) => !sum,
+    }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn refine(a: &Arguments, t: *mut [u16; 3], count: usize, s: *mut [u16; 3], slots: usize) -> u32 {
+    let (triangles, neighbours) = (slice::from_raw_parts_mut(t, count), slice::from_raw_parts_mut(s, slots));
+    delaunay::refine(a.outline(), triangles, neighbours).unwrap_or(0)
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn outlines(a: &Arguments, area: &mut i128) -> u8 {
+    let outline = a.outline();
+    *area = polygon::twice_area(outline);
+    let inside = |rule: FillRule| polygon::contains([outline], rule, a.corners[0]);
+    let inside = inside(FillRule::EvenOdd) | inside(FillRule::NonZero);
+    polygon::is_convex(outline) as u8 | (inside as u8) << 1 | (polygon::orientation(outline).is_lt() as u8) << 2
+}
+
+#[no_mangle]
+pub extern "C" fn signs(a: Vertex, b: Vertex, c: Vertex, d: Vertex, out: &mut Option<Part>) -> bool {
+    *out = clip::segment(a, b, [c, d]);
+    exact::turn(a, b, c).is_lt() ^ exact::in_circle(a, b, c, d).is_lt()
+}
+
+#[no_mangle]
+pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut Vertex) -> i32 {
+    let [x0, y0, x1, y1] = area;
+    let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
+    *out = view.vertex_from_bits(at);
+    let [x, y] = view.place_bits(*out);
+    x ^ y
 }

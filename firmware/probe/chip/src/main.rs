@@ -5,7 +5,8 @@
 //! kind (bits in bytes, words, odd numbers of bytes), to be built four times for each chip.
 #![no_std]
 #![no_main]
-#![allow(clippy::missing_safety_doc)]
+#![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
+#![allow(improper_ctypes_definitions)] // nobody calls them
 
 #[cfg(not(feature = "panics"))]
 mod calls;
