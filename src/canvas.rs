@@ -76,7 +76,7 @@ pub trait Canvas: Surface {
     /// let mut ram = [b'.'; 20];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
     /// frame.draw_polygon([(0, 0), (4, 0), (1, 3)].map(Point::from), Gray8::new(b'#'));
-    /// assert_eq!(&ram, b"#####.#.#..##...#...");
+    /// assert_eq!(&ram, b"######..#..##...#...");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     fn draw_polygon(&mut self, corners: impl IntoIterator<Item = Point>, color: Self::Color)
