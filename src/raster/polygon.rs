@@ -124,16 +124,14 @@ where
 {
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
     let mut add = |(a, ay): (Vertex, i32), (b, by): (Vertex, i32)| {
-        let down = ay < by;
-        let ((upper, first), (lower, end)) = if down { ((a, ay), (b, by)) } else { ((b, by), (a, ay)) };
-        let (y, end) = (first.max(top), end.min(bottom));
+        let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
         if y >= end {
             return;
         }
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(end);
         if let Some(slot) = table.get_mut(loaded.count) {
-            slot.put(upper, lower, (y, end), down);
+            slot.put(a, b, (y, end), ay < by);
         }
         loaded.count = loaded.count.wrapping_add(1);
     };
@@ -171,10 +169,6 @@ impl Waiting {
         let mut shift = if COMPACT { 31 } else { 0 };
         while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
             shift = shift.wrapping_add(1);
-            keep_rolled();
-        }
-        for edge in table {
-            edge.bucket.set(END);
             keep_rolled();
         }
         let mut place = 0;
