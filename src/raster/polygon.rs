@@ -293,37 +293,24 @@ fn last_of_two(table: &[Edge], list: u16, y: i32, row: i32) -> i32 {
 /// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
 #[inline(always)]
 fn descend(table: &[Edge], active: u16, joining: u16, y: i32) -> u16 {
-    let (list, overtaken) = (Cell::new(END), Cell::new(END));
-    let x_of = |place: usize| table.get(place).map_or(i32::MAX, Edge::x);
-    let mut joining = usize::from(joining);
-    let mut limit = x_of(joining);
-    let (mut at, mut end, mut last) = (usize::from(active), &list, i32::MIN);
-    while let Some(edge) = table.get(at) {
-        let (this, next) = (index_u16(at), edge.link.get());
-        at = usize::from(next);
+    let (list, mut overtaken) = (Cell::new(active), END);
+    let (mut end, mut last) = (&list, i32::MIN);
+    while let Some(edge) = get(table, end.get()) {
         if edge.end() <= y {
+            end.set(edge.link.get());
             continue;
         }
-        edge.step();
-        let x = edge.x();
+        let x = edge.step();
         if x < last {
-            edge.link.set(overtaken.replace(this));
+            overtaken = end.replace(edge.link.replace(overtaken));
             continue;
         }
         last = x;
-        while x > limit {
-            end.set(index_u16(joining));
-            let Some(first) = table.get(joining) else { break };
-            end = &first.link;
-            joining = usize::from(end.get());
-            limit = x_of(joining);
-        }
-        end.set(this);
         end = &edge.link;
     }
-    end.set(index_u16(joining));
-    if overtaken.get() == END {
-        return list.get();
+    let list = if !COMPACT && joining == END { list.get() } else { merge(table, list.get(), joining) };
+    if overtaken == END {
+        return list;
     }
-    merge(table, list.get(), sort(table, overtaken.get()))
+    merge(table, list, sort(table, overtaken))
 }
