@@ -57,7 +57,7 @@ pub(crate) fn fraction(n: u32, d: NonZeroU32) -> u32 {
 /// `n >> 8` after adding one half pixel, without overflow: the first pixel whose centre lies *right of* `n` 24.8 units.
 #[inline(always)]
 pub(crate) fn first_centre_after(n: i32) -> i32 {
-    (n >> 8) + (((n & 255) + 128) >> 8)
+    (n >> 8) + (n >> 7 & 1)
 }
 
 /// The first pixel whose centre lies at or right of (or below) `n` 24.8 units: `ceil((n - 128) / 256)`.

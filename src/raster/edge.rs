@@ -25,8 +25,10 @@ use crate::{
         round::{div_rem_wide, first_centre_after, floor_div_rem},
         stepper::Stepper,
     },
-    target::COMPACT,
+    target::{COMPACT, DIVIDES},
 };
+
+use super::list::END;
 
 /// One slot of an edge table: a side on its way down the rows. See [`polygon::fill`](crate::raster::polygon::fill).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,7 +37,8 @@ pub struct Edge {
     pub(crate) crossing: Cell<Stepper>,
     /// The first row it crosses, then [`ACTIVE`].
     pub(crate) y: Cell<i32>,
-    /// Twice the row after its last, and 1 more if the contour goes up along it. Rows of places are below 2^24.
+    /// Four times the row after its last, and in the two lowest bits the winding: 1 down, -1 up. Rows of places are below
+    /// 2^24.
     end: i32,
     /// The next edge of a list.
     pub(crate) link: Cell<u16>,
@@ -61,20 +64,20 @@ impl Edge {
         bucket: Cell::new(0),
     };
 
-    /// Puts the side from `upper` to `lower` into this slot, as it stands on the first of the rows `y..end`, which it
-    /// crosses; `down` if its contour goes that way.
+    /// Puts the side from a to b into this slot, as it stands on the first of the rows `y..end`, which it crosses; `down` if
+    /// that is where b lies.
     #[inline(always)]
-    pub(crate) fn put(&mut self, upper: Vertex, lower: Vertex, (y, end): (i32, i32), down: bool) {
-        let Some(slope) = Slope::new(bits(upper), bits(lower)) else { return };
-        let (depth, rows) = (slope.down_to(y), end.wrapping_sub(y));
+    pub(crate) fn put(&mut self, a: Vertex, b: Vertex, (y, end): (i32, i32), down: bool) {
+        let Some(slope) = Slope::either_way(bits(a), bits(b), down) else { return };
         // Two stores: of one, the smaller side's numbers would go by way of the stack.
         if slope.is_small() {
-            self.crossing.set(slope.small(depth, rows));
+            self.crossing.set(slope.small(slope.down_to(y), end.wrapping_sub(y)));
         } else {
-            self.crossing.set(slope.any(depth));
+            self.crossing.set(Slope::any(slope.from, slope.to, slope.dy, y));
         }
         self.y.set(y);
-        self.end = end.wrapping_mul(2) | i32::from(!down);
+        self.end = end.wrapping_mul(4) | if down { 1 } else { 3 };
+        self.bucket.set(END);
     }
 
     /// The first pixel right of it.
@@ -86,15 +89,16 @@ impl Edge {
     /// The row after its last.
     #[inline(always)]
     pub(crate) fn end(&self) -> i32 {
-        self.end >> 1
+        self.end >> 2
     }
 
-    /// To the next row.
+    /// To the next row, and the first pixel right of it there.
     #[inline(always)]
-    pub(crate) fn step(&self) {
+    pub(crate) fn step(&self) -> i32 {
         let mut crossing = self.crossing.get();
         crossing.step();
         self.crossing.set(crossing);
+        crossing.value
     }
 
     /// What lists are sorted by.
@@ -106,15 +110,17 @@ impl Edge {
     /// +1 when the contour goes down along it, -1 when up.
     #[inline(always)]
     pub(crate) fn winding(&self) -> i32 {
-        self.end << 31 >> 31 | 1
+        self.end << 30 >> 30
     }
 }
 
-/// A side from its upper to its lower end, not horizontal.
+/// A side from one end to the other, not horizontal.
 #[derive(Copy, Clone)]
 pub(crate) struct Slope {
-    upper: (i32, i32),
-    lower: (i32, i32),
+    from: (i32, i32),
+    to: (i32, i32),
+    /// From the upper end to the lower one, whichever of them it starts at. Modulo 2^32.
+    dx: i32,
     pub(crate) dy: NonZeroU32,
 }
 
@@ -122,51 +128,69 @@ impl Slope {
     /// `None` if it is horizontal.
     #[inline(always)]
     pub(crate) fn new(upper: (i32, i32), lower: (i32, i32)) -> Option<Self> {
+        Self::either_way(upper, lower, true)
+    }
+
+    /// From a to b, which is `down` or up from it. `None` if it is horizontal.
+    #[inline(always)]
+    fn either_way(a: (i32, i32), b: (i32, i32), down: bool) -> Option<Self> {
+        let (dx, dy) = (b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1));
+        let (dx, dy) = if down { (dx, dy) } else { (dx.wrapping_neg(), dy.wrapping_neg()) };
         // Not negative, so its 32 bits are the distance even beyond i32::MAX.
-        let dy = NonZeroU32::new(unsigned(lower.1.wrapping_sub(upper.1)))?;
-        Some(Self { upper, lower, dy })
+        Some(Self { from: a, to: b, dx, dy: NonZeroU32::new(unsigned(dy))? })
     }
 
     /// Its crossings from row y, which it crosses, for `rows` rows; any size.
     #[inline(always)]
     pub(crate) fn stepper_at(self, y: i32, rows: i32) -> Stepper {
-        let down = self.down_to(y);
         if self.is_small() {
-            self.small(down, rows)
+            self.small(self.down_to(y), rows)
         } else {
-            self.any(down)
+            Self::any(self.from, self.to, self.dy, y)
         }
     }
 
     /// Below 2^16 units in width and height.
     #[inline(always)]
     fn is_small(self) -> bool {
-        !COMPACT && (self.lower.0.abs_diff(self.upper.0) | self.dy.get()) < 1 << 16
+        !COMPACT && (self.to.0.abs_diff(self.from.0) | self.dy.get()) < 1 << 16
     }
 
-    /// From the upper end down to the centre of row y, which it crosses: below dy.
+    /// From where it starts down to the centre of row y, which it crosses: at most dy, and negative if it goes up.
     #[inline(always)]
-    fn down_to(self, y: i32) -> u32 {
-        (unsigned(y) << 8).wrapping_add(128).wrapping_sub(unsigned(self.upper.1))
+    fn down_to(self, y: i32) -> i32 {
+        (y << 8).wrapping_add(128).wrapping_sub(self.from.1)
     }
 
-    /// (p, M, dx) for sides below 2^19 units.
+    /// (p, M) for sides below 2^19 units. The end that it starts at is a; were it the other one, p would differ and M by as
+    /// many times dy, so that crossing and remainder are the same.
     #[inline(always)]
-    fn numerator(self, down: u32) -> (i32, i32, i32) {
-        let ax = self.upper.0;
+    fn numerator(self, down: i32) -> (i32, i32) {
+        let (ax, dx) = (self.from.0, self.dx);
         let (p, f) = (first_centre_after(ax), unsigned(ax.wrapping_add(128)) & 255);
-        let dx = self.lower.0.wrapping_sub(ax);
-        let (rows, g) = (signed(down >> 8), signed(down & 255));
+        let (rows, g) = (down >> 8, down & 255);
         let n = signed(f.wrapping_mul(self.dy.get())).wrapping_add(g.wrapping_mul(dx));
-        (p, (n.wrapping_sub(1) >> 8).wrapping_add(rows.wrapping_mul(dx)), dx)
+        (p, (n.wrapping_sub(1) >> 8).wrapping_add(rows.wrapping_mul(dx)))
     }
 
     #[inline(always)]
-    fn small(self, down: u32, rows: i32) -> Stepper {
-        let (p, m, dx) = self.numerator(down);
-        let (k, rest) = floor_div_rem(m, self.dy);
-        let slope = if rows > 1 { floor_div_rem(dx, self.dy) } else { (0, 0) };
+    fn small(self, down: i32, rows: i32) -> Stepper {
+        let (p, m) = self.numerator(down);
+        let (k, rest) = self.ratio(m);
+        let slope = if rows > 1 { self.ratio(self.dx) } else { (0, 0) };
         Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
+    }
+
+    /// n / dy, rounded down, and the rest, for quotients from -512 on: those of M, as the crossing lies between the ends, and
+    /// of dx where there is a second row, as dy is above 2^8 then.
+    #[inline(always)]
+    fn ratio(self, n: i32) -> (i32, u32) {
+        if !DIVIDES {
+            // Division bit by bit is done sooner with a small number.
+            return floor_div_rem(n, self.dy);
+        }
+        let n = unsigned(n).wrapping_add(self.dy.get() << 9);
+        (signed(n / self.dy).wrapping_sub(512), n % self.dy)
     }
 
     /// Any size, with one product that needs 64 bits: the crossing in units, `x + r / dy`, is found from the end that is
@@ -176,11 +200,13 @@ impl Slope {
     /// being the remainder of that division and r - 1 being taken modulo dy.
     #[cfg_attr(not(compact), cold)]
     #[inline(never)]
-    fn any(self, down: u32) -> Stepper {
-        let (ax, bx, dy) = (self.upper.0, self.lower.0, self.dy.get());
+    fn any(from: (i32, i32), to: (i32, i32), height: NonZeroU32, y: i32) -> Stepper {
+        let ((ax, ay), (bx, _)) = if from.1 < to.1 { (from, to) } else { (to, from) };
+        let dy = height.get();
+        let down = unsigned((y << 8).wrapping_add(128).wrapping_sub(ay));
         let (width, leftward) = (bx.abs_diff(ax), bx < ax);
         let (left, along) = if leftward { (bx, dy.wrapping_sub(down)) } else { (ax, down) };
-        let (q, r) = div_rem_wide(u64::from(along) * u64::from(width), self.dy);
+        let (q, r) = div_rem_wide(u64::from(along) * u64::from(width), height);
         let x = left.wrapping_add(signed(q));
         let half = if r == 0 { 127 } else { 128 };
         let k = (x >> 8) + (((x & 255) + half) >> 8);
@@ -190,9 +216,9 @@ impl Slope {
         let low = f.wrapping_mul(dy & 255).wrapping_add(r & 255) >> 8;
         let rest = f.wrapping_mul(dy >> 8).wrapping_add(r >> 8).wrapping_add(low);
         // As in `floor_div_rem`: to the left, the complement of the quotient.
-        let (q, r) = div_rem_wide(u64::from(width.wrapping_sub(leftward.into())), self.dy);
+        let (q, r) = div_rem_wide(u64::from(width.wrapping_sub(leftward.into())), height);
         let slope = if leftward { (!signed(q), dy.wrapping_sub(1).wrapping_sub(r)) } else { (signed(q), r) };
-        Stepper::new(self.dy, (k, rest), slope)
+        Stepper::new(height, (k, rest), slope)
     }
 }
 
@@ -220,7 +246,7 @@ impl Sum {
     /// [`reach`](Self::reach) rows.
     #[inline(always)]
     pub(crate) fn new(side: Slope, y: i32) -> Self {
-        let (p, m, dx) = side.numerator(side.down_to(y));
+        let (p, m) = side.numerator(side.down_to(y));
         // |M| is below 2^12 dy, and |dx| too where there is a second row: then dy is above 2^8.
         let ratio = |n: i32| {
             let n = unsigned(n).wrapping_add(side.dy.get() << 12);
@@ -229,7 +255,7 @@ impl Sum {
             let low = (rest << (Self::BITS - 16)) / side.dy;
             (q << Self::BITS | high << (Self::BITS - 16) | low).wrapping_add(1)
         };
-        Self { at: (unsigned(p) << Self::BITS).wrapping_add(ratio(m)), by: ratio(dx) }
+        Self { at: (unsigned(p) << Self::BITS).wrapping_add(ratio(m)), by: ratio(side.dx) }
     }
 
     /// For how many rows a side of at most this height is right: 64 or more.
@@ -248,10 +274,10 @@ impl Sum {
     /// row, and half of i will do.)
     #[inline(always)]
     pub(crate) fn tiny(side: Slope, y: i32) -> Self {
-        let Slope { upper, lower, dy } = side;
-        let (ax, dx) = (upper.0.wrapping_add(128), lower.0.wrapping_sub(upper.0));
+        let Slope { from, dx, dy, .. } = side;
+        let ax = from.0.wrapping_add(128);
         let (p, f) = (ax >> 8, unsigned(ax) & 255);
-        let n = f.wrapping_mul(dy.get()).wrapping_add(side.down_to(y).wrapping_mul(unsigned(dx)));
+        let n = f.wrapping_mul(dy.get()).wrapping_add(unsigned(side.down_to(y).wrapping_mul(dx)));
         let m = signed(n).wrapping_sub(1) >> 8;
         let i = (u32::MAX / dy) & (u32::MAX >> 1);
         let times = |n: i32| i64::from(n).wrapping_mul(i64::from(i));

@@ -8,6 +8,7 @@
 use core::{cell::Cell, mem::replace};
 
 use super::Edge;
+use crate::target::COMPACT;
 
 /// No edge: the end of a list.
 pub(super) const END: u16 = u16::MAX;
@@ -21,22 +22,19 @@ pub(super) fn get(table: &[Edge], place: u16) -> Option<&Edge> {
     table.get(usize::from(place))
 }
 
-/// Merges two sorted lists.
+/// Merges two sorted lists: the edges of the second one are linked into the first.
 #[inline(never)]
-pub(super) fn merge(table: &[Edge], mut a: u16, mut b: u16) -> u16 {
-    let first = Cell::new(END);
+pub(super) fn merge(table: &[Edge], a: u16, mut b: u16) -> u16 {
+    let first = Cell::new(a);
     let mut end = &first;
-    while let (Some(left), Some(right)) = (get(table, a), get(table, b)) {
-        if left.order() <= right.order() {
-            end.set(a);
-            (a, end) = (left.link.get(), &left.link);
-        } else {
-            end.set(b);
-            (b, end) = (right.link.get(), &right.link);
+    while let Some(edge) = get(table, b) {
+        let order = edge.order();
+        while let Some(left) = get(table, end.get()).filter(|left| left.order() <= order) {
+            end = &left.link;
         }
+        b = edge.link.replace(end.replace(b));
+        end = &edge.link;
     }
-    // The rest of a list is linked as it is.
-    end.set(if a == END { b } else { a });
     first.get()
 }
 
@@ -58,7 +56,8 @@ pub(super) fn sort(table: &[Edge], list: u16) -> u16 {
         }
         (run, rest) = take_run(table, rest);
     }
-    levels.into_iter().fold(END, |list, level| merge(table, level, list))
+    // `merge` takes empty lists too, but most levels are empty.
+    levels.into_iter().filter(|&level| COMPACT || level != END).fold(END, |list, level| merge(table, level, list))
 }
 
 /// Cuts the edges that go up or that go down from the front of a list: the run, sorted, and the rest.

@@ -124,16 +124,14 @@ where
 {
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
     let mut add = |(a, ay): (Vertex, i32), (b, by): (Vertex, i32)| {
-        let down = ay < by;
-        let ((upper, first), (lower, end)) = if down { ((a, ay), (b, by)) } else { ((b, by), (a, ay)) };
-        let (y, end) = (first.max(top), end.min(bottom));
+        let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
         if y >= end {
             return;
         }
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(end);
         if let Some(slot) = table.get_mut(loaded.count) {
-            slot.put(upper, lower, (y, end), down);
+            slot.put(a, b, (y, end), ay < by);
         }
         loaded.count = loaded.count.wrapping_add(1);
     };
@@ -171,10 +169,6 @@ impl Waiting {
         let mut shift = if COMPACT { 31 } else { 0 };
         while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
             shift = shift.wrapping_add(1);
-            keep_rolled();
-        }
-        for edge in table {
-            edge.bucket.set(END);
             keep_rolled();
         }
         let mut place = 0;
@@ -299,37 +293,24 @@ fn last_of_two(table: &[Edge], list: u16, y: i32, row: i32) -> i32 {
 /// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
 #[inline(always)]
 fn descend(table: &[Edge], active: u16, joining: u16, y: i32) -> u16 {
-    let (list, overtaken) = (Cell::new(END), Cell::new(END));
-    let x_of = |place: usize| table.get(place).map_or(i32::MAX, Edge::x);
-    let mut joining = usize::from(joining);
-    let mut limit = x_of(joining);
-    let (mut at, mut end, mut last) = (usize::from(active), &list, i32::MIN);
-    while let Some(edge) = table.get(at) {
-        let (this, next) = (index_u16(at), edge.link.get());
-        at = usize::from(next);
+    let (list, mut overtaken) = (Cell::new(active), END);
+    let (mut end, mut last) = (&list, i32::MIN);
+    while let Some(edge) = get(table, end.get()) {
         if edge.end() <= y {
+            end.set(edge.link.get());
             continue;
         }
-        edge.step();
-        let x = edge.x();
+        let x = edge.step();
         if x < last {
-            edge.link.set(overtaken.replace(this));
+            overtaken = end.replace(edge.link.replace(overtaken));
             continue;
         }
         last = x;
-        while x > limit {
-            end.set(index_u16(joining));
-            let Some(first) = table.get(joining) else { break };
-            end = &first.link;
-            joining = usize::from(end.get());
-            limit = x_of(joining);
-        }
-        end.set(this);
         end = &edge.link;
     }
-    end.set(index_u16(joining));
-    if overtaken.get() == END {
-        return list.get();
+    let list = if !COMPACT && joining == END { list.get() } else { merge(table, list.get(), joining) };
+    if overtaken == END {
+        return list;
     }
-    merge(table, list.get(), sort(table, overtaken.get()))
+    merge(table, list, sort(table, overtaken))
 }
