@@ -146,10 +146,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     }
-    // Not by `zip` either: it multiplies an index by the length of a chunk, and checks that.
-    let mut out = out.chunks_mut(N * per_byte);
-    for &byte in indices {
-        let Some(places) = out.next() else { return };
+    for (places, &byte) in out.chunks_mut(N * per_byte).zip(indices) {
         put(places, byte);
     }
 }

@@ -541,9 +541,7 @@ fn strip<T>(
     let from_body = from.split_at_checked(below.wrapping_mul(from_stride));
     let (Some((body, last)), Some((from_body, from_last))) = (body, from_body) else { return };
     if stride >= 16 && from_stride >= 64 {
-        // One after the other: `zip` would multiply an index by the stride, and check that.
-        let (mut body, mut from_body) = (body.chunks_exact_mut(stride), from_body.chunks_exact(from_stride));
-        while let (Some(to), Some(from)) = (body.next(), from_body.next()) {
+        for (to, from) in body.chunks_exact_mut(stride).zip(from_body.chunks_exact(from_stride)) {
             copy(to, from);
             keep_rolled();
         }

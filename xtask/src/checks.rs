@@ -79,7 +79,10 @@ fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool>
     let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
     cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
     cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
-    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
+    // For the crate and what it depends on, not for the core library: a toolchain's own comes without them.
+    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck"] {
+        cargo.args(["--config", &format!("profile.release.package.{package}.overflow-checks={checks}")]);
+    }
     cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
     cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
     // Nobody calls the calls, and they are to be linked all the same. This also replaces the linker scripts of the firmware.

@@ -225,7 +225,8 @@ impl<T: Number> Rows<T> {
 #[inline(always)]
 pub(super) fn mirrored(curve: &Curve, clip: Rect) -> (i32, u32) {
     let first = i64::from(curve.middle());
-    let (left_end, left_start) = (curve.centre.0 - i64::from(clip.x0), curve.centre.0 - i64::from(clip.x1));
+    let opposite = |x: i32| curve.centre.0.wrapping_sub(x.into());
+    let (left_end, left_start) = (opposite(clip.x0), opposite(clip.x1));
     let (right_start, right_end) = (i64::from(clip.x0), i64::from(clip.x1));
     // On a clip across the middle one of the two starts lies left of it.
     let from = first.max(right_start).max(left_start);
