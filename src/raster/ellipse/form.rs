@@ -155,8 +155,7 @@ pub(in crate::raster) struct Follower<T> {
 
 impl<T: Number> Follower<T> {
     /// Starts at u on row v: at most `max` pixels are counted.
-    #[cfg_attr(compact, inline(never))]
-    #[cfg_attr(not(compact), inline(always))]
+    #[inline(always)]
     pub(in crate::raster) fn new(form: &Form<T>, (u, v): (i64, i64), bias: i64, max: u32) -> Self {
         let (step, down) = form.steps(u, v);
         let side = Side { f: form.value(u, v, bias), step, count: 0, max };
@@ -164,8 +163,7 @@ impl<T: Number> Follower<T> {
     }
 
     /// Pixels inside on this row; goes to the next.
-    #[cfg_attr(compact, inline(never))]
-    #[cfg_attr(not(compact), inline(always))]
+    #[inline(always)]
     pub(in crate::raster) fn row(&mut self) -> u32 {
         self.side.settle(self.second.0);
         self.side.f += self.down;
@@ -187,8 +185,7 @@ pub(in crate::raster) struct Rows<T> {
 
 impl<T: Number> Rows<T> {
     /// From the first row of `clip` on, which lies inside of the ellipse's box.
-    #[cfg_attr(compact, inline(never))]
-    #[cfg_attr(not(compact), inline(always))]
+    #[inline(always)]
     pub(super) fn new(curve: &Curve, clip: Rect) -> Self {
         let form = Form::new(curve.radii, curve.shift);
         let v = curve.v(clip.y0);
