@@ -15,6 +15,9 @@ pub(crate) const UNALIGNED: bool = !cfg!(small_core)
     && (ARMV7
         || cfg!(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")));
 
+/// Armv6-M, where a multiple store moves on by itself.
+pub(crate) const MULTIPLE: bool = !UNALIGNED && cfg!(any(small_core, target_arch = "arm"));
+
 /// Computers, which have vector registers: a choice without a branch is made for many pixels at once.
 pub(crate) const VECTORS: bool =
     !cfg!(small_core) && !COMPACT && cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));

@@ -11,7 +11,7 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut, Pod};
 use super::{bytes_per_pixel, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::{keep_rolled, COMPACT, UNALIGNED, VECTORS},
+    target::{keep_rolled, COMPACT, MULTIPLE, UNALIGNED, VECTORS},
 };
 
 /// A word full of pixels, for the formats that repeat in one.
@@ -208,7 +208,11 @@ fn fill_words(words: &mut [u32], w: u32) {
         }
         return;
     }
-    let mut groups = words.chunks_exact_mut(8);
+    let mut rest = words;
+    if MULTIPLE && rest.len() >= 32 {
+        rest = fill_multiple(rest, w);
+    }
+    let mut groups = rest.chunks_exact_mut(8);
     for group in &mut groups {
         eight(group, w);
         keep_rolled();
@@ -229,6 +233,18 @@ fn fill_words(words: &mut [u32], w: u32) {
     if let Some(last) = rest.first_mut() {
         *last = w;
     }
+}
+
+/// Four words a round by a multiple store, named in the order that makes the register numbers ascend; returns the rest.
+#[inline(never)]
+fn fill_multiple(words: &mut [u32], w: u32) -> &mut [u32] {
+    let [a, b, c, d, ..] = nine_names(w);
+    let mut rounds = words.chunks_exact_mut(4);
+    for round in &mut rounds {
+        round.copy_from_slice(&[a, b, d, c]);
+        keep_rolled();
+    }
+    rounds.into_remainder()
 }
 
 /// A word nine times, under names that a compiler cannot tell to be equal: each is made in another way from the word and
