@@ -40,7 +40,7 @@ pub struct Octants {
 }
 
 impl Octants {
-    /// For a square box of `extent + 1` pixels inside the window, at most 65,536.
+    /// For a square box of `extent + 1` pixels inside the window, at most 32,768.
     #[inline(always)]
     pub(crate) const fn new(area: Rect) -> Self {
         let extent = area.x1.wrapping_sub(area.x0).wrapping_sub(1);

@@ -1,4 +1,5 @@
-//! What is known of the chip and of the build, and what the compiler is told. Hints for speed and size only: they choose between ways to the same pixels.
+//! What is known of the chip and of the build, and what the compiler is told. Hints for speed and size only: they choose
+//! between ways to the same pixels.
 //!
 //! `RUSTFLAGS="--cfg small_core --cfg compact" cargo test` takes the ways of small cores and small images on any machine.
 

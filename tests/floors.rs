@@ -147,7 +147,7 @@ fn the_reader_of_imports_reads_imports() {
     assert!(!may_import("raster", "surface") && !may_import("pixel", "geom") && !may_import("num", "span"));
 }
 
-/// What a firmware takes over with this crate is four small crates; each has its reason in Cargo.toml.
+/// What a firmware takes over with this crate is three small crates; each has its reason in Cargo.toml.
 #[test]
 fn the_dependencies_are_the_three() {
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).expect("a manifest");

@@ -262,7 +262,7 @@ pub(crate) struct Disc {
     /// Both ends of a row together.
     sum: i32,
     y: i32,
-    /// The row that mirrors y, less one.
+    /// The row after the one that mirrors y.
     last: i32,
     /// How many are left.
     rows: u32,
