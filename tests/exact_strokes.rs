@@ -62,7 +62,7 @@ fn paths(scale: Scale, count: usize, widest: i32) {
         let path = random_path(&mut rng, scale, 2);
         let pen = random_pen(&mut rng, widest);
         let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
-        let contours = pen.parts(&outlines(&path, 5));
+        let contours = pen.parts(&outlines(&path));
         let wanted = twins::polygon(&contours, FillRule::NonZero, window);
         let got = path_pixels(&path, pen, window);
         assert_runs(window, &got, &wanted, || format!("{pen:?} {path:?}"));
@@ -298,7 +298,7 @@ fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {
         let phase = if rng.one_in(3) { 0 } else { rng.int(-3 * most.min(1 << 29), 3 * most.min(1 << 29)) };
         let pattern = Pattern { lengths, phase };
         let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
-        let wanted = twins::polygon(&pen.dashes(&outlines(&path, 5), &pattern), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
         let got = dashed_pixels(&path, pen, &pattern, window);
         assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
         seen += usize::from(!wanted.is_empty());
@@ -349,6 +349,6 @@ fn dashes_that_end_out_of_sight() {
     let pen = Pen { width: 793, cap: Cap::Butt, join: Join::Bevel, limit: 2560 };
     let pattern = Pattern { lengths: vec![892, 892, 900, 900], phase: 5040 };
     let window = Rect::new(5376, 640, 5385, 654);
-    let wanted = twins::polygon(&pen.dashes(&outlines(&path, 5), &pattern), FillRule::NonZero, window);
+    let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
     assert_runs(window, &dashed_pixels(&path, pen, &pattern, window), &wanted, || "dashes".into());
 }

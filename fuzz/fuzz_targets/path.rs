@@ -105,7 +105,7 @@ fn fill(pieces: &[Piece], choice: u8, window: Rect) {
     let rule = if choice & 4 == 0 { FillRule::NonZero } else { FillRule::EvenOdd };
     let path = segments(pieces);
     let got = filled(Path::new(&path).contours_in(window), rule, window);
-    let contours: Vec<Vec<Units>> = outlines(pieces, 5).into_iter().map(|o| o.places).collect();
+    let contours: Vec<Vec<Units>> = outlines(pieces).into_iter().map(|o| o.places).collect();
     assert_runs(window, &got, &twins::polygon(&contours, rule, window), || format!("{rule:?} {pieces:?}"));
 }
 
@@ -128,7 +128,7 @@ fn stroke(pieces: &[Piece], pen: Pen, has_twin: bool, window: Rect) {
     let path = segments(pieces);
     let got = filled(as_stroke(pen).of_path(Path::new(&path), window), FillRule::NonZero, window);
     if has_twin {
-        let wanted = twins::polygon(&pen.parts(&outlines(pieces, 5)), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.parts(&outlines(pieces)), FillRule::NonZero, window);
         assert_runs(window, &got, &wanted, || format!("{pen:?} {pieces:?}"));
     }
 }
@@ -141,7 +141,7 @@ fn dashes(pieces: &[Piece], pen: Pen, pattern: &Pattern, has_twin: bool, window:
     // The twin goes from dash to dash: not too many.
     let period: i64 = pattern.lengths.iter().map(|&n| i64::from(n.max(0))).sum();
     if has_twin && period > 100 {
-        let wanted = twins::polygon(&pen.dashes(&outlines(pieces, 5), pattern), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.dashes(&outlines(pieces), pattern), FillRule::NonZero, window);
         assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {pieces:?}"));
     }
 }

@@ -278,8 +278,7 @@ screen or not: it sits them out. It has no polygons.\n\
 breaks where the curve is thin, and where the box is large. embedded-graphics' own rule is another one near the border.\n\
 - The points of curves are those of this crate's grid, 1/256 pixel, for every engine; the true curve is made of chords within \
 1/5000 pixel of it. *De Casteljau* halves a curve until its control points are so near to the chord that the curve is within \
-34/256 pixel of it, which is what this crate promises for fills; its thin outlines are within 10/256 pixel before they become pixels. \
-Points closer than pixels are 16 bits of time at most.\n\
+34.6/256 pixel of it, which is what this crate promises. Points closer than pixels are 16 bits of time at most.\n\
 - Lines with a width go from the centre of a pixel to that of another. A pixel whose centre lies exactly on the border may be \
 painted or not. This crate rounds borders outwards to 1/256 pixel. embedded-graphics has no round ends: it sits them out.\n\
 - A flood fill is charged with loading its picture. The stacks of the textbook are as long as they need to be.\n\

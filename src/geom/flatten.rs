@@ -1,47 +1,49 @@
 //! Curves to lines, within a tolerance, on the grid of 1/256 pixel.
 //!
-//! A Bézier curve is cut into n pieces that take the same time, and each piece becomes its chord.
+//! A Bézier curve is cut into halves (of its time), those into halves again, until each piece is flat and becomes its chord.
 //! ```text
-//!            _.-o-._            o  points on the curve, at t = T(i) / 2^20, T(i) about 2^20 i / n
-//!         .o'       'o.         between two of them the chord is off by at most h^2/8 max|P''|
-//!       .'             '.
-//!      o                 o
+//!           _.-o-._                     o  points on the curve: t = i / 2^k
+//!        .o'       'o.
+//!      .'             '.      0         1/4        1/2        3/4        1    t
+//!     o                 o     |----------+----------+-----+----+----------|   pieces: the sharper the bend,
+//!                                                                             the shorter
 //! ```
-//! With `a = P0 - 2 P1 + P2` (and `b = P1 - 2 P2 + P3`) that is `|a| / (4 n^2)` for a quadratic curve and
-//! `3 max(|a|, |b|) / (4 n^2)` for a cubic one, so the fewest pieces within `D` units are
-//! `n = ceil(sqrt(|a| / 4 D))` and `ceil(sqrt(3 max / 4 D))`. D is 32 units for fills and strokes, 8 for lines one pixel wide.
+//! Of the piece from t to t + h with the chord c, let `W` be `h^2 P''/2` at t + h/3 and at t + 2h/3: its control points lie at
+//! the thirds of c, less W/3. So the piece is never farther from c than `|W| / 4`, and, if its control points lie between the ends
+//! of c, not farther than `|W x c| / 4 |c|`. It is flat within `D` units when for both W
+//! ```text
+//!     |W x c| / 4 D <= |c|  and  |W c| <= |c|^2      if |c| >= 4 D
+//!     |W| <= 4 D                                     if |c| < 4 D
+//! ```
+//! W and the quotient are rounded down to whole numbers, and pieces with a coordinate of W not within 2^15 are not flat. Where a
+//! side of the chord has more than 15 bits, both sides lose their low ones, down to 15, and so does W c. D is 32 units.
 //!
-//! `2^20 = n q + r` gives `T(i) = i q + min(i, r)`: no division, and steps of q or q + 1. A vertex is the point of the
-//! curve at T(i), exactly, rounded to the nearest unit (halves upwards). Together, rounding included, lines stay within
-//! 34 units (0.133 pixels), or 9.3 (0.037 pixels), of the curve.
+//! A vertex is the point of the curve, exactly, rounded to the nearest unit (halves upwards). Together with all that is
+//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its
+//! end to its start has the same vertices: shapes that share it leave no gap.
 //!
-//! **Work.** n is at most 16,874 (33,748): what the ends of the type can make. Of a curve that leaves the window most
-//! pieces are never looked at: k pieces lie within `k^2` tolerances of their common chord, and when that whole strip lies on one side of the
-//! window the chord takes their place. That changes no pixel of a fill: left of the window, how often a row is crossed
-//! depends on the two ends only; on the other sides nothing counts.
+//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and one halving less. A piece that lies beside the window with all of its tolerance is not halved, whatever its bend. That changes no pixel of
+//! a fill: left of the window, how often a row is crossed depends on the two ends only; on the other sides nothing counts.
 //!
 //! Range: any `I24F8`. Points are sums below 2^93, in words of 64 and 32 bits.
 //!
-//! Sources: G. Farin, "Curves and Surfaces for CAGD", 1988 (chords); L. Fernández-Jambrina and others on segment counts
-//! from second differences.
+//! Sources: G. Farin, "Curves and Surfaces for CAGD", 1988 (halving, chords, second differences).
 
-use core::{num::NonZeroU32, slice::Iter};
+use core::slice::Iter;
 
 use super::{bits, path::PathSegment, view::View, Vertex};
 use crate::num::{
-    cast::{low_u32, magnitude, narrow},
-    hypot::{length_above, square_root},
+    cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
     round::difference,
     wide::times,
 };
 
-/// Chords are off by at most 2^5 units: for everything with an inside.
-pub(crate) const FINE: u32 = 5;
-/// By 2^3 units: for lines one pixel wide.
-pub(crate) const FINER: u32 = 3;
-
+/// 4 D is `2^7` units.
+const FOUR_D: u32 = 7;
 /// Bits of the parameter t.
 const TIME: u32 = 20;
+/// The end of a curve.
+const END: u32 = 1 << TIME;
 
 /// The vertices of one contour of a [`Path`](super::Path), the first one included, the closing side not.
 #[derive(Clone, Debug)]
@@ -52,7 +54,6 @@ pub struct Contour<'a> {
     curve: Option<Curve>,
     closed: bool,
     view: View,
-    shift: u32,
 }
 
 /// A vertex, and whether the path goes on smoothly there, inside of a curve.
@@ -64,8 +65,8 @@ pub(crate) struct Node {
 
 impl<'a> Contour<'a> {
     #[inline]
-    pub(super) fn new(start: Vertex, segments: &'a [PathSegment], closed: bool, view: View, shift: u32) -> Self {
-        Self { start: Some(start), at: start, segments: segments.iter(), curve: None, closed, view, shift }
+    pub(super) fn new(start: Vertex, segments: &'a [PathSegment], closed: bool, view: View) -> Self {
+        Self { start: Some(start), at: start, segments: segments.iter(), curve: None, closed, view }
     }
 
     /// Whether it ends with [`PathSegment::Close`]. A fill closes every contour.
@@ -90,11 +91,11 @@ impl<'a> Contour<'a> {
                     return Some(Node { at: to, smooth: false });
                 }
                 PathSegment::QuadraticTo(c, to) => {
-                    self.curve = Some(Curve::quadratic([from, c, to], &self.view, self.shift));
+                    self.curve = Some(Curve::quadratic([from, c, to], &self.view));
                     to
                 }
                 PathSegment::CubicTo(c, d, to) => {
-                    self.curve = Some(Curve::cubic([from, c, d, to], &self.view, self.shift));
+                    self.curve = Some(Curve::cubic([from, c, d, to], &self.view));
                     to
                 }
                 PathSegment::MoveTo(_) | PathSegment::Close => return None,
@@ -112,85 +113,134 @@ impl Iterator for Contour<'_> {
     }
 }
 
-/// A curve on its way: after `done` of its `n` pieces.
+/// A curve on its way.
 #[derive(Clone, Debug)]
 struct Curve {
     x: Polynomial,
     y: Polynomial,
-    last: Vertex,
+    /// The time that the pieces so far took, in units of 2^-20, and where they ended.
     done: u32,
-    n: u32,
-    /// `2^20 = n q + r`.
-    q: u32,
-    r: u32,
-    /// By how much a chord may be off, as a power of two.
-    shift: u32,
+    last: Vertex,
+    /// The end of the piece that was halved last, which its second half will ask for.
+    ahead: (u32, Vertex),
     /// No part of it can leave the view.
     whole: bool,
+    /// W can be found in 32 bits.
+    small: bool,
 }
 
 impl Curve {
-    fn quadratic(points: [Vertex; 3], view: &View, shift: u32) -> Self {
+    fn quadratic(points: [Vertex; 3], view: &View) -> Self {
         let [(ax, ay), (bx, by), (cx, cy)] = points.map(bits);
         let (x, y) = (Polynomial::quadratic([ax, bx, cx]), Polynomial::quadratic([ay, by, cy]));
-        let bend = length_above(x.b.unsigned_abs(), y.b.unsigned_abs());
-        Self::new(x, y, bend, shift, points.iter().all(|&p| view.holds(p)))
+        Self::new(x, y, (points[0], points[2]), points.iter().all(|&p| view.holds(p)))
     }
 
-    fn cubic(points: [Vertex; 4], view: &View, shift: u32) -> Self {
+    fn cubic(points: [Vertex; 4], view: &View) -> Self {
         let [(ax, ay), (bx, by), (cx, cy), (dx, dy)] = points.map(bits);
         let (x, y) = (Polynomial::cubic([ax, bx, cx, dx]), Polynomial::cubic([ay, by, cy, dy]));
-        let bend = |p: [i32; 3], q: [i32; 3]| length_above(second(p).unsigned_abs(), second(q).unsigned_abs());
-        let bend = bend([ax, bx, cx], [ay, by, cy]).max(bend([bx, cx, dx], [by, cy, dy]));
-        Self::new(x, y, bend.wrapping_mul(3), shift, points.iter().all(|&p| view.holds(p)))
+        Self::new(x, y, (points[0], points[3]), points.iter().all(|&p| view.holds(p)))
     }
 
-    /// For a curve whose chords of one n-th are off by at most `bend / (4 n^2)`.
-    fn new(x: Polynomial, y: Polynomial, bend: u64, shift: u32, whole: bool) -> Self {
-        let shift_up = shift.wrapping_add(2);
-        let square = bend.wrapping_add(1_u64.wrapping_shl(shift_up).wrapping_sub(1)).wrapping_shr(shift_up);
-        let root = square_root(square);
-        let above = u64::from(root).wrapping_mul(u64::from(root)) < square;
-        let n = NonZeroU32::new(root.wrapping_add(u32::from(above))).unwrap_or(NonZeroU32::MIN);
-        let last = Vertex::from_bits(x.d, y.d);
-        Self { x, y, last, done: 0, n: n.get(), q: (1 << TIME) / n, r: (1 << TIME) % n, shift, whole }
+    fn new(x: Polynomial, y: Polynomial, (start, end): (Vertex, Vertex), whole: bool) -> Self {
+        let small = x.is_small() && y.is_small();
+        Self { x, y, done: 0, last: start, ahead: (END, end), whole, small }
     }
 
-    /// The end of the next piece, or of as many as lie beside the view.
+    /// The end of the next piece that is flat or cannot be seen.
     fn next(&mut self, view: &View) -> Option<Node> {
-        let left = self.n.wrapping_sub(self.done);
-        if left == 0 {
+        if self.done == END {
             return None;
         }
-        // The pieces as leaves of a tree: a branch that can be seen is asked for its smaller branches.
-        let branch = 1_u32.wrapping_shl(31 ^ left.leading_zeros());
-        let mut pieces = match self.done {
-            _ if self.whole => 1,
-            0 => branch,
-            done => (done & done.wrapping_neg()).min(branch),
-        };
+        // The largest piece of the tree that begins here: all that hold it were halved before.
+        let mut level = (self.done | END).trailing_zeros();
         loop {
-            let done = self.done.wrapping_add(pieces);
-            let at = self.at(done);
-            if pieces == 1 || view.hides(self.last, at, self.slack(pieces)) {
-                (self.last, self.done) = (at, done);
-                return Some(Node { at, smooth: done != self.n });
+            let end = self.done.wrapping_add(1_u32.wrapping_shl(level));
+            let bends = self.bends(level);
+            let at = if self.ahead.0 == end { self.ahead.1 } else { self.at(end) };
+            if bends.are_flat(self.last, at) || !self.whole && bends.hide(self.last, at, view) {
+                (self.done, self.last) = (end, at);
+                return Some(Node { at, smooth: end != END });
             }
-            pieces >>= 1;
+            self.ahead = (end, at);
+            level = level.wrapping_sub(1);
         }
     }
 
-    /// How far from their chord that many pieces may lie, roundings included. D grows by less than an eighth where T(i) is
-    /// not quite 2^20 i / n.
-    fn slack(&self, pieces: u32) -> i64 {
-        (i64::from(pieces).wrapping_mul(i64::from(pieces)).wrapping_mul(9).wrapping_shl(self.shift) >> 3)
-            .wrapping_add(2)
+    /// Both W of the piece of `2^level` units of time that is next.
+    fn bends(&self, level: u32) -> Bends {
+        let length = 1_u32.wrapping_shl(level);
+        let first = self.done.wrapping_mul(3).wrapping_add(length);
+        let down = TIME.wrapping_sub(level) << 1;
+        let bends = |time| {
+            if self.small {
+                (self.x.small_bend(time, down), self.y.small_bend(time, down))
+            } else {
+                (self.x.bend(time, down), self.y.bend(time, down))
+            }
+        };
+        Bends(bends(first), bends(first.wrapping_add(length)))
     }
 
-    fn at(&self, i: u32) -> Vertex {
-        let t = i.wrapping_mul(self.q).wrapping_add(i.min(self.r));
+    fn at(&self, t: u32) -> Vertex {
         Vertex::from_bits(self.x.at(t), self.y.at(t))
     }
+}
+
+/// Both W of a piece. A coordinate that does not fit is the largest there is.
+struct Bends((i32, i32), (i32, i32));
+
+impl Bends {
+    /// Whether the piece between two places is flat. Both W and both sides of the chord are below 2^15 then: sums of two products
+    /// fit 31 bits.
+    #[inline(always)]
+    fn are_flat(&self, from: Vertex, to: Vertex) -> bool {
+        let &Self(first, second) = self;
+        let beyond = |n: i32| unsigned(n).wrapping_add(1 << 15) >> 16;
+        if beyond(first.0) | beyond(first.1) | beyond(second.0) | beyond(second.1) != 0 {
+            return false;
+        }
+        let (c, scale) = chord(bits(from), bits(to));
+        let square = product(c, c);
+        let flat = |w: (i32, i32)| {
+            if square < 1 << (2 * FOUR_D) {
+                return product(w, w) <= 1 << (2 * FOUR_D);
+            }
+            let across = product(w, (c.1, c.0.wrapping_neg())) >> FOUR_D;
+            let along = product(w, c).wrapping_shr(scale);
+            along <= square && across >> 16 == 0 && across.wrapping_mul(across) <= square
+        };
+        flat(first) && flat(second)
+    }
+
+    /// Whether the piece between two places lies beside the view.
+    fn hide(&self, from: Vertex, to: Vertex, view: &View) -> bool {
+        let &Self((a, b), (c, d)) = self;
+        let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
+        // It is within |W| / 4 of the chord; W and both ends are rounded.
+        size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
+    }
+}
+
+/// From one place to another, in 15 bits and a sign, and how many low bits it lost.
+fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
+    let (x, y) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
+    let lost = 17_u32.saturating_sub((x | y).leading_zeros());
+    let side = |length: u32, back: bool| {
+        let length = signed(length.wrapping_shr(lost));
+        if back {
+            length.wrapping_neg()
+        } else {
+            length
+        }
+    };
+    ((side(x, to.0 < from.0), side(y, to.1 < from.1)), lost)
+}
+
+/// The scalar product of two vectors, without its sign.
+#[inline(always)]
+fn product(a: (i32, i32), b: (i32, i32)) -> u32 {
+    a.0.wrapping_mul(b.0).wrapping_add(a.1.wrapping_mul(b.1)).unsigned_abs()
 }
 
 /// `P0 - 2 P1 + P2`: below 2^33.
@@ -216,6 +266,25 @@ impl Polynomial {
         let c = difference(p1, p0).wrapping_mul(3);
         let b = second([p0, p1, p2]).wrapping_mul(3);
         Self { a: difference(p3, p0).wrapping_sub(difference(p2, p1).wrapping_mul(3)), b, c, d: p0 }
+    }
+
+    /// `h^2 P''/2` at a third of `time / 2^20`, for h of `2^-down/2`. With the coefficients small, all fits 31 bits.
+    #[inline(always)]
+    fn small_bend(&self, time: u32, down: u32) -> i32 {
+        let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME;
+        narrow(self.b).wrapping_add(narrow(by_time)).wrapping_shr(down)
+    }
+
+    /// The same of any curve: below 2^36 and 2^56 before the shifts.
+    #[inline(never)]
+    fn bend(&self, time: u32, down: u32) -> i32 {
+        let by_time = self.a.wrapping_mul(i64::from(time)) >> TIME;
+        saturate(self.b.wrapping_add(by_time).wrapping_shr(down))
+    }
+
+    /// Whether both coefficients of the second derivative are below 2^28.
+    fn is_small(&self) -> bool {
+        (self.a.unsigned_abs() | self.b.unsigned_abs()) >> 28 == 0
     }
 
     /// Its value at `t / 2^20`, rounded to nearest.

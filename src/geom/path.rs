@@ -12,11 +12,7 @@
 //! over them; nothing is stored. How curves become lines, and how close those are, is told in
 //! [`flatten`](super::flatten).
 
-use super::{
-    flatten::{Contour, FINE},
-    view::View,
-    Vertex,
-};
+use super::{flatten::Contour, view::View, Vertex};
 use crate::rect::Rect;
 
 /// One step of a [`Path`].
@@ -42,7 +38,7 @@ pub enum PathSegment {
 /// let path = Path::new(&drop);
 /// let contours: Vec<Vec<Vertex>> = path.contours().map(|c| c.collect()).collect();
 /// assert_eq!(contours.len(), 1);
-/// assert_eq!(contours[0].len(), 19); // nine sides a curve, each within 1/7 pixel of it
+/// assert_eq!(contours[0].len(), 15); // seven sides a curve, each within 1/7 pixel of it
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Path<'a> {
@@ -65,7 +61,7 @@ impl<'a> Path<'a> {
     /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
     #[inline]
     pub const fn contours(self) -> Contours<'a> {
-        Contours { rest: self.segments, start: Vertex::from_bits(0, 0), view: View::ALL, shift: FINE }
+        Contours { rest: self.segments, start: Vertex::from_bits(0, 0), view: View::ALL }
     }
 
     /// The same for a fill that only `window` will show: the pixels there are the same, the vertices that do not matter to
@@ -75,10 +71,10 @@ impl<'a> Path<'a> {
         Contours { view: View::of(window, 0), ..self.contours() }
     }
 
-    /// For what is drawn up to `reach` units around its lines, with curves closer by powers of four.
+    /// For what is drawn up to `reach` units around its lines.
     #[inline]
-    pub(crate) fn contours_near(self, window: Rect, reach: u32, shift: u32) -> Contours<'a> {
-        Contours { view: View::of(window, reach), shift, ..self.contours() }
+    pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
+        Contours { view: View::of(window, reach), ..self.contours() }
     }
 }
 
@@ -89,7 +85,6 @@ pub struct Contours<'a> {
     /// Where a contour without a move starts.
     start: Vertex,
     view: View,
-    shift: u32,
 }
 
 impl<'a> Iterator for Contours<'a> {
@@ -114,6 +109,6 @@ impl<'a> Iterator for Contours<'a> {
         }
         let (segments, rest) = self.rest.split_at_checked(len).filter(|_| len > 0)?;
         self.rest = rest;
-        Some(Contour::new(self.start, segments, closed, self.view, self.shift))
+        Some(Contour::new(self.start, segments, closed, self.view))
     }
 }

@@ -9,7 +9,7 @@
 //! with numbers at the ends of their type is therefore the same in debug and in release.
 
 pub(crate) mod cast;
-pub(crate) mod hypot;
+pub(crate) mod root;
 pub(crate) mod round;
 pub(crate) mod stepper;
 pub(crate) mod trig;

@@ -13,7 +13,7 @@
 //! pattern shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a dot for round caps, and a square for square ones.
 //!
 //! **Work.** Dashes beside the window are skipped by the period, but every side of the path is measured; curves have at most
-//! 16,874.
+//! 32,768.
 
 use core::num::NonZeroU32;
 

@@ -6,7 +6,7 @@ use crate::{
     geom::{bits, Vertex},
     num::{
         cast::{low_u32, narrow, signed},
-        hypot::square_root,
+        root::square_root,
         round::{difference, div_rem_wide},
     },
 };

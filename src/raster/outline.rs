@@ -1,17 +1,18 @@
 //! Outlines of paths, one pixel wide.
 //!
-//! Curves become lines within 9.3 units (1/27 pixel), as [`flatten`](crate::geom::flatten) tells; each line, and each line of
-//! the path itself, runs through pixels along its longer axis:
+//! Curves become lines as [`flatten`](crate::geom::flatten) tells. Lines that go the same way along the same axis, their longer one,
+//! follow each other in a *run*:
 //! ```text
-//!     +-----+-----+-----+-----+    from a to b along x (if |dx| >= |dy|): one pixel a column, from the column of a to
-//!     |  .  |  .  |  .__|--b  |    that of b, in the row where the line is at the column's centre; where the line
-//!     +-----+---__+--'--+-----+    begins or ends beside the centre, in the row of its end
-//!     |  a--|--'  |  .  |  .  |
-//!     +-----+-----+-----+-----+    here: a's pixel, one below the line, two above
+//!     +-----+-----+-----+-----+-----+    a run along x, in two lines: where they pass the centre of a column (.), the pixel
+//!     |  .  |  .  |  .  |  .__|-b.  |    in the row where they are. If it starts behind the centre of a column, or ends
+//!     +-----+-----+---__+--'--+-----+    before or on one, the pixel of that end too.
+//!     |  a--+-----+--'  |  .  |  .  |
+//!     +-----+-----+-----+-----+-----+    here: two pixels below, then two above, and that of b
 //! ```
-//! So all pixels of an outline touch the next, across corners too. Where lines meet, the pixels before and after a third one may
-//! touch already: then it is left out, unless the one before it might be left out for the same reason. Every pixel has its
-//! centre within 0.75 pixels of the true curve: half the diagonal of a pixel, and the tolerance.
+//! So all pixels of an outline touch the next, from run to run too. Where runs meet, a pixel may lie in the corner between the ones
+//! before and after it, which touch: then it is left out, unless the one before it lies in such a corner too. Every pixel has its
+//! centre within 0.75 pixels of the true curve: half a pixel from a line and 0.136 of tolerance; or, at the end of a run,
+//! half the diagonal of a pixel from that end, which is on the curve.
 //!
 //! **Work.** Lines that stay 4 pixels outside of the window are not followed, nor are parts of others, so work depends on the
 //! window. What happens there cannot matter, as the rule looks two pixels back and one ahead.
@@ -21,10 +22,10 @@
 use core::num::NonZeroU32;
 
 use crate::{
-    geom::{bits, flatten::FINER, Path, Vertex, View},
+    geom::{bits, Path, Vertex, View},
     num::{
         cast::{signed, unsigned},
-        round::div_rem_wide,
+        round::{div_rem_wide, first_centre_after, first_centre_from},
         stepper::Stepper,
     },
     rect::Rect,
@@ -62,73 +63,21 @@ pub fn draw(path: Path<'_>, window: Rect, emit: impl FnMut(ClippedSpan)) {
     }
     let reach = unsigned(MARGIN) << 8;
     let view = View::of(window, reach);
-    let mut trace = Trace { window, emit, before: None, last: None, bent: false, run: Span { y: 0, x0: 0, x1: 0 } };
-    for mut contour in path.contours_near(window, reach, FINER) {
+    let run = Span { y: 0, x0: 0, x1: 0 };
+    let mut trace = Trace { window, emit, way: None, end: None, before: None, last: None, bent: false, run };
+    for mut contour in path.contours_near(window, reach) {
         let closed = contour.is_closed();
         let Some(start) = contour.next() else { continue };
-        if !view.hides(start, start, 0) {
-            let start = start.pixel();
-            trace.push((start.x, start.y));
-        }
+        trace.start(start);
         let mut from = start;
         for to in contour.chain(closed.then_some(start)) {
             if !view.hides(from, to, 0) {
-                line(from, to, window, |pixel| trace.push(pixel));
+                trace.line(from, to);
             }
             from = to;
         }
         trace.finish();
     }
-}
-
-/// The pixels of one line in a window and near it, from `a` to `b`.
-fn line(a: Vertex, b: Vertex, window: Rect, mut push: impl FnMut((i32, i32))) {
-    let ((ax, ay), (bx, by)) = (bits(a), bits(b));
-    let steep = ay.abs_diff(by) > ax.abs_diff(bx);
-    let ((a, m), (b, n), low, high) =
-        if steep { ((ay, ax), (by, bx), window.y0, window.y1) } else { ((ax, ay), (bx, by), window.x0, window.x1) };
-    let mut push = |along: i32, across: i32| push(if steep { (across >> 8, along) } else { (along, across >> 8) });
-    let Some(way) = NonZeroU32::new(a.abs_diff(b)) else { return push(a >> 8, m) };
-    let (ahead, rise) = (a < b, m.abs_diff(n));
-    let (first, last) = (a >> 8, b >> 8);
-    // Columns as they are passed, without those that nobody can see.
-    let (low, high) = (low.saturating_sub(MARGIN), high.saturating_add(MARGIN));
-    let (near, far) = if ahead { (first.max(low), last.min(high)) } else { (first.min(high), last.max(low)) };
-    if (near > far) == ahead && near != far {
-        return;
-    }
-    let across = |place: i32| ratio(place.abs_diff(a), rise, way, n < m);
-    let step = if ahead { 1 } else { -1 };
-    let mut at = near;
-    if at == first {
-        let centre = centre(at);
-        let place = if ahead { centre.max(a).min(b) } else { centre.min(a).max(b) };
-        push(at, m.wrapping_add(across(place).0));
-        if at == far {
-            return;
-        }
-        at = at.wrapping_add(step);
-    }
-    if at != last {
-        let start = across(centre(at));
-        let mut row = Stepper::new(way, (m.wrapping_add(start.0), start.1), ratio(256, rise, way, n < m));
-        while at != last {
-            push(at, row.value);
-            if at == far {
-                return;
-            }
-            row.step();
-            at = at.wrapping_add(step);
-        }
-    }
-    let centre = centre(at);
-    let place = if ahead { centre.min(b) } else { centre.max(b) };
-    push(at, m.wrapping_add(across(place).0));
-}
-
-/// The middle of a column that a place in the range of `I24F8` may lie in.
-fn centre(column: i32) -> i32 {
-    column << 8 | 128
 }
 
 /// Quotient and remainder of `s n / d`, or of its negative, rounded down, for `s n / d < 2^32`.
@@ -145,23 +94,81 @@ fn ratio(s: u32, n: u32, d: NonZeroU32, negative: bool) -> (i32, u32) {
 struct Trace<E> {
     window: Rect,
     emit: E,
+    /// The way of the run: along y, and upwards along its axis. `None` at the start of a contour.
+    way: Option<(bool, bool)>,
+    /// The pixel of the run's end, if it counts in case the run ends here.
+    end: Option<(i32, i32)>,
     /// The pixel before the last one.
     before: Option<(i32, i32)>,
     last: Option<(i32, i32)>,
-    /// The pixels before and after `before` touch.
+    /// `before` lies in a corner.
     bent: bool,
     /// Pixels side by side that are not emitted yet.
     run: Span,
 }
 
 impl<E: FnMut(ClippedSpan)> Trace<E> {
+    fn start(&mut self, start: Vertex) {
+        let pixel = start.pixel();
+        (self.way, self.end) = (None, Some((pixel.x, pixel.y)));
+    }
+
+    /// The pixels of one line, those of the window and near it.
+    fn line(&mut self, a: Vertex, b: Vertex) {
+        let ((ax, ay), (bx, by)) = (bits(a), bits(b));
+        let steep = ay.abs_diff(by) > ax.abs_diff(bx);
+        let Rect { x0, y0, x1, y1 } = self.window;
+        let ((a, m), (b, n), low, high) =
+            if steep { ((ay, ax), (by, bx), y0, y1) } else { ((ax, ay), (bx, by), x0, x1) };
+        let Some(length) = NonZeroU32::new(a.abs_diff(b)) else { return };
+        let turned = |along: i32, across: i32| if steep { (across, along) } else { (along, across) };
+        // The first column whose centre is passed, and the last one.
+        let up = a < b;
+        let (first, last) = if up {
+            (first_centre_from(a), first_centre_from(b).wrapping_sub(1))
+        } else {
+            (first_centre_after(a).wrapping_sub(1), first_centre_after(b))
+        };
+        let end = (last != b >> 8).then(|| turned(b >> 8, n >> 8));
+        let (way, before) = (self.way.replace((steep, up)), core::mem::replace(&mut self.end, end));
+        if way != self.way {
+            if let Some(end) = before.filter(|_| way.is_some()) {
+                self.push(end);
+            }
+            if first != a >> 8 {
+                self.push(turned(a >> 8, m >> 8));
+            }
+        }
+        // Without those that nobody can see.
+        let (low, high) = (low.saturating_sub(MARGIN), high.saturating_add(MARGIN));
+        let step = if up { 1 } else { -1 };
+        let (mut at, far) = if up { (first.max(low), last.min(high)) } else { (first.min(high), last.max(low)) };
+        if if up { at > far } else { at < far } {
+            return;
+        }
+        let rise = m.abs_diff(n);
+        let centre = at << 8 | 128;
+        let (start, rest) = ratio(centre.abs_diff(a), rise, length, n < m);
+        let slope = if at == far { (0, 0) } else { ratio(256, rise, length, n < m) };
+        let mut row = Stepper::new(length, (m.wrapping_add(start), rest), slope);
+        loop {
+            self.push(turned(at, row.value >> 8));
+            if at == far {
+                return;
+            }
+            row.step();
+            at = at.wrapping_add(step);
+        }
+    }
+
     fn push(&mut self, pixel: (i32, i32)) {
         if self.last == Some(pixel) {
             return;
         }
-        let touches =
-            |before: (i32, i32)| before != pixel && before.0.abs_diff(pixel.0) <= 1 && before.1.abs_diff(pixel.1) <= 1;
-        let bent = self.before.is_some_and(touches);
+        let bent = self.before.zip(self.last).is_some_and(|(p, q)| {
+            let diagonal = p.0.abs_diff(pixel.0) == 1 && p.1.abs_diff(pixel.1) == 1;
+            diagonal && (q == (p.0, pixel.1) || q == (pixel.0, p.1))
+        });
         if let Some(last) = self.last.filter(|_| !bent || self.bent) {
             self.paint(last);
         }
@@ -187,6 +194,9 @@ impl<E: FnMut(ClippedSpan)> Trace<E> {
 
     /// The contour ends.
     fn finish(&mut self) {
+        if let Some(end) = self.end.take() {
+            self.push(end);
+        }
         if let Some(last) = self.last.take() {
             self.paint(last);
         }

@@ -32,7 +32,7 @@ use fixed::types::I24F8;
 use super::direction::{moved, with_sign, Direction};
 use crate::{
     geom::{
-        flatten::{Contour, Node, FINE},
+        flatten::{Contour, Node},
         Path, Vertex, View,
     },
     num::{
@@ -154,7 +154,7 @@ impl<D: Dashing> Stroke<D> {
     /// by [`NonZero`](super::FillRule::NonZero).
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
         let pen = self.pen(window);
-        let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach, FINE) };
+        let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach) };
         let stroke = move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen);
         OneByOne { contours, stroke, parts: None }
     }

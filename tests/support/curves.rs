@@ -34,8 +34,8 @@ pub(crate) struct Outline {
     pub(crate) closed: bool,
 }
 
-/// The contours of a path, curves within `2^shift` units.
-pub(crate) fn outlines(pieces: &[Piece], shift: u32) -> Vec<Outline> {
+/// The contours of a path, curves flattened.
+pub(crate) fn outlines(pieces: &[Piece]) -> Vec<Outline> {
     let mut all = vec![];
     let mut start = (0, 0);
     let mut open: Option<Outline> = None;
@@ -57,7 +57,7 @@ pub(crate) fn outlines(pieces: &[Piece], shift: u32) -> Vec<Outline> {
                 continue;
             }
         };
-        let places = if points.len() == 2 { vec![points[1]] } else { flattened(&points, shift) };
+        let places = if points.len() == 2 { vec![points[1]] } else { flattened(&points) };
         let last = places.len() - 1;
         outline.smooth.extend((0..places.len()).map(|i| i != last));
         outline.places.extend(places);
@@ -66,44 +66,63 @@ pub(crate) fn outlines(pieces: &[Piece], shift: u32) -> Vec<Outline> {
     all
 }
 
-/// `ceil(sqrt(n))`.
-pub(crate) fn root_above(n: u128) -> u128 {
-    let root = n.isqrt();
-    root + u128::from(root * root != n)
+/// The whole time of a curve.
+pub(crate) const END: i128 = 1 << 20;
+
+/// The times, in units of 2^-20, at which the pieces of a curve end.
+pub(crate) fn times(points: &[Units]) -> Vec<i128> {
+    let mut all = vec![];
+    halve(points, 0, END, &mut all);
+    all
 }
 
-/// Length of the second difference rounded up; where a coordinate has more than 31 bits, of so many high bits, each
-/// coordinate rounded to the next.
-fn bend(a: Units, b: Units, c: Units) -> u128 {
-    let second = |a: i32, b: i32, c: i32| (i128::from(a) - 2 * i128::from(b) + i128::from(c)).unsigned_abs();
-    let (x, y) = (second(a.0, b.0, c.0), second(a.1, b.1, c.1));
-    let shift = (128 - (x | y).leading_zeros()).saturating_sub(31);
-    let up = |n: u128| (n >> shift) + u128::from(shift > 0);
-    root_above(up(x).pow(2) + up(y).pow(2)) << shift
+fn halve(points: &[Units], from: i128, to: i128, all: &mut Vec<i128>) {
+    if is_flat(points, from, to) {
+        all.push(to);
+    } else {
+        let middle = from + (to - from) / 2;
+        halve(points, from, middle, all);
+        halve(points, middle, to, all);
+    }
 }
 
-/// The number of pieces of a curve.
-pub(crate) fn pieces(points: &[Units], shift: u32) -> u128 {
-    let four_d = 4_u128 << shift;
-    let square = match *points {
-        [a, b, c] => bend(a, b, c).div_ceil(four_d),
-        [a, b, c, d] => (3 * bend(a, b, c).max(bend(b, c, d))).div_ceil(four_d),
-        _ => unreachable!("curves have three or four points"),
+/// Whether a piece is flat, as `geom::flatten` tells.
+fn is_flat(points: &[Units], from: i128, to: i128) -> bool {
+    let length = to - from;
+    // Of h^2 P''/2, at a time in units of 2^-20 / 3.
+    let bend = |time: i128, coordinate: fn(&Units) -> i32| {
+        let p: Vec<i128> = points.iter().map(|p| i128::from(coordinate(p))).collect();
+        let second = |i: usize| p[i] - 2 * p[i + 1] + p[i + 2];
+        // P'' is 2 times the second difference of a quadratic curve; of a cubic one 6 times what lies between its two.
+        let half =
+            if p.len() == 3 { 3 * END * second(0) } else { 3 * ((3 * END - time) * second(0) + time * second(1)) };
+        (half * length * length).div_euclid(3 * END * END * END)
     };
-    root_above(square).max(1)
+    let bends = [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)));
+    if bends.iter().any(|w| [w.0, w.1].iter().any(|n| !(-(1 << 15)..1 << 15).contains(n))) {
+        return false;
+    }
+    let (a, b) = (point(points, from), point(points, to));
+    let mut chord = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+    let mut scale = 1;
+    while chord.0.abs().max(chord.1.abs()) >= 1 << 15 {
+        (chord, scale) = ((chord.0 / 2, chord.1 / 2), 2 * scale);
+    }
+    let square = chord.0 * chord.0 + chord.1 * chord.1;
+    let four_d = 4 * 32;
+    bends.iter().all(|w| {
+        let (across, along) = (w.0 * chord.1 - w.1 * chord.0, w.0 * chord.0 + w.1 * chord.1);
+        if square >= four_d * four_d {
+            (across.abs() / four_d).pow(2) <= square && along.abs() / scale <= square
+        } else {
+            w.0 * w.0 + w.1 * w.1 <= four_d * four_d
+        }
+    })
 }
 
-/// The vertices of a curve after the first: the point at each `T(i)`, rounded to nearest, halves upwards.
-pub(crate) fn flattened(points: &[Units], shift: u32) -> Vec<Units> {
-    let n = pieces(points, shift) as i128;
-    let (q, r) = ((1 << 20) / n, (1 << 20) % n);
-    (1..=n).map(|i| point(points, i * q + i.min(r))).collect()
-}
-
-/// `T(i) / 2^20` of a curve of n pieces.
-pub(crate) fn parameter(n: usize, i: usize) -> f64 {
-    let (q, r) = ((1 << 20) / n, (1 << 20) % n);
-    (i * q + i.min(r)) as f64 / f64::from(1 << 20)
+/// The vertices of a curve after the first: the point at the end of each piece, rounded to nearest, halves upwards.
+pub(crate) fn flattened(points: &[Units]) -> Vec<Units> {
+    times(points).into_iter().map(|t| point(points, t)).collect()
 }
 
 /// The point of a curve at `t / 2^20`, by Bernstein's polynomials.

@@ -5,29 +5,59 @@ use super::{
     Units,
 };
 
-/// Thin outlines are flattened within 2^3 units.
-const FINER: u32 = 3;
+/// Along which axis a line is longer, and whether it goes up that axis.
+type Way = (bool, bool);
 
-/// The pixels of one line: along the longer axis one a column, where the line is at its centre or ends before.
+/// A line as places along its axis and across it.
+fn turned(p: Units, steep: bool) -> (i128, i128) {
+    let (x, y) = (i128::from(p.0), i128::from(p.1));
+    if steep {
+        (y, x)
+    } else {
+        (x, y)
+    }
+}
+
+fn way(a: Units, b: Units) -> Way {
+    let steep = (i64::from(b.1) - i64::from(a.1)).abs() > (i64::from(b.0) - i64::from(a.0)).abs();
+    (steep, turned(a, steep).0 < turned(b, steep).0)
+}
+
+/// Which side of the centre of its column a place has, seen along a way: -1 before, 1 behind.
+fn side(p: Units, (steep, up): Way) -> i128 {
+    let beyond = (turned(p, steep).0.rem_euclid(256) - 128).signum();
+    if up {
+        beyond
+    } else {
+        -beyond
+    }
+}
+
+fn pixel_of(p: Units) -> (i32, i32) {
+    (p.0 >> 8, p.1 >> 8)
+}
+
+/// One pixel for each column whose centre the line passes, from its start up to but without its end.
 fn line_pixels(a: Units, b: Units) -> Vec<(i32, i32)> {
-    let wide = |p: Units| (i128::from(p.0), i128::from(p.1));
-    let ((ax, ay), (bx, by)) = (wide(a), wide(b));
-    if (by - ay).abs() > (bx - ax).abs() {
-        return line_pixels((a.1, a.0), (b.1, b.0)).into_iter().map(|(y, x)| (x, y)).collect();
+    let (steep, up) = way(a, b);
+    let ((a, m), (b, n)) = (turned(a, steep), turned(b, steep));
+    let passed = |centre: i128| if up { a <= centre && centre < b } else { b < centre && centre <= a };
+    let mut columns: Vec<i128> = (a.min(b).div_euclid(256)..=a.max(b).div_euclid(256)).collect();
+    columns.retain(|column| passed(256 * column + 128));
+    if !up {
+        columns.reverse();
     }
-    let (first, last) = (ax.div_euclid(256), bx.div_euclid(256));
-    let pixel = |x: i128| {
-        let place = (256 * x + 128).clamp(ax.min(bx), ax.max(bx));
-        // 256 (ay + (place - ax) (by - ay) / (bx - ax)), rounded down.
-        let (n, d) = (ay * (bx - ax) + (place - ax) * (by - ay), 256 * (bx - ax));
-        let y = if d == 0 { ay.div_euclid(256) } else { (n * d.signum()).div_euclid(d.abs()) };
-        (x as i32, y as i32)
+    let pixel = |column: i128| {
+        // (m + (centre - a) (n - m) / (b - a)) / 256, rounded down.
+        let (over, under) = (m * (b - a) + (256 * column + 128 - a) * (n - m), 256 * (b - a));
+        let row = (over * under.signum()).div_euclid(under.abs());
+        if steep {
+            (row as i32, column as i32)
+        } else {
+            (column as i32, row as i32)
+        }
     };
-    let mut pixels: Vec<_> = (first.min(last)..=first.max(last)).map(pixel).collect();
-    if first > last {
-        pixels.reverse();
-    }
-    pixels
+    columns.into_iter().map(pixel).collect()
 }
 
 /// All pixels of an outline, contour by contour.
@@ -37,14 +67,25 @@ pub(crate) fn outline_pixels(path: &[Piece]) -> Vec<Vec<(i32, i32)>> {
         if contour.closed {
             places.push(places[0]);
         }
-        let mut all = vec![(places[0].0 >> 8, places[0].1 >> 8)];
-        all.extend(places.windows(2).flat_map(|p| line_pixels(p[0], p[1])));
+        let lines: Vec<_> = places.windows(2).map(|p| (p[0], p[1])).filter(|(a, b)| a != b).collect();
+        let mut all = vec![];
+        for run in lines.chunk_by(|p, q| way(p.0, p.1) == way(q.0, q.1)) {
+            let (start, end) = (run[0].0, run[run.len() - 1].1);
+            let way = way(run[0].0, run[0].1);
+            all.extend((side(start, way) > 0).then(|| pixel_of(start)));
+            all.extend(run.iter().flat_map(|&(a, b)| line_pixels(a, b)));
+            all.extend((side(end, way) <= 0).then(|| pixel_of(end)));
+        }
+        if lines.is_empty() {
+            all.push(pixel_of(places[0]));
+        }
         all.dedup();
-        let touch = |i: usize| {
-            let (Some(p), Some(q)) = (all.get(i.wrapping_sub(1)), all.get(i + 1)) else { return false };
-            p != q && (p.0 - q.0).abs() <= 1 && (p.1 - q.1).abs() <= 1
+        let corner = |i: usize| {
+            let (Some(p), q, Some(r)) = (all.get(i.wrapping_sub(1)), all[i], all.get(i + 1)) else { return false };
+            let diagonal = (p.0 - r.0).abs() == 1 && (p.1 - r.1).abs() == 1;
+            diagonal && (q == (p.0, r.1) || q == (r.0, p.1))
         };
-        (0..all.len()).filter(|&i| !touch(i) || (i > 0 && touch(i - 1))).map(|i| all[i]).collect()
+        (0..all.len()).filter(|&i| !corner(i) || (i > 0 && corner(i - 1))).map(|i| all[i]).collect()
     };
-    outlines(path, FINER).into_iter().map(pixels).collect()
+    outlines(path).into_iter().map(pixels).collect()
 }

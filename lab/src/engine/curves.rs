@@ -27,7 +27,7 @@ pub(crate) fn entries() -> Vec<Entry<Curve, Polyline>> {
         ),
         entry(
             "crate",
-            "as many lines as it takes: `Path::contours`",
+            "halved until flat: `Path::contours`",
             Crate,
             flattener(
                 |out: &mut Vec<Vertex>, c| out.extend(Path::new(&c.segments).contours().flatten()),
@@ -81,8 +81,8 @@ pub(super) fn uniform(n: u16, curve: &Curve, mut emit: impl FnMut(Place)) {
     }
 }
 
-/// As this crate's: 34/256 pixel.
-const TOLERANCE: f32 = 34.0 / 256.0;
+/// As this crate's: 34.6/256 pixel.
+const TOLERANCE: f32 = 34.6 / 256.0;
 
 /// The ends of lines after the first, each within the tolerance: by halves until both control points are so near to the
 /// chord that the curve, which keeps 3/4 of their distance at most, stays within it.

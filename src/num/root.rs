@@ -1,4 +1,4 @@
-//! Square roots and lengths, without floats and without divisions.
+//! Square roots, without floats and without divisions.
 //!
 //! Source: the digit-by-digit method, T. R. Crenshaw, "Integer Square Roots", Embedded Systems Programming, 1998.
 
@@ -22,17 +22,6 @@ pub(crate) fn square_root(n: u64) -> u32 {
     low_u32(root)
 }
 
-/// `sqrt(x^2 + y^2)` rounded up, for sides below 2^40. Sides from 2^31 on lose low bits first, also rounded up.
-#[inline(never)]
-pub(crate) fn length_above(x: u64, y: u64) -> u64 {
-    let shift = 33_u32.saturating_sub((x | y).leading_zeros());
-    let up = |n: u64| (n >> shift).wrapping_add(u64::from(shift != 0));
-    let (x, y) = (up(x), up(y));
-    let square = x.wrapping_mul(x).wrapping_add(y.wrapping_mul(y));
-    let root = u64::from(square_root(square));
-    root.wrapping_add(u64::from(root.wrapping_mul(root) != square)) << shift
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,18 +36,5 @@ mod tests {
         }
         assert_eq!(square_root(u64::MAX), u32::MAX);
         assert_eq!(square_root(0), 0);
-    }
-
-    #[test]
-    fn lengths_are_not_short_and_hardly_long() {
-        let sides = (0..36).flat_map(|k| [1_u64 << k, (1 << k) - 1, (1 << k) + 1, 5 << k >> 2]);
-        for x in sides.clone() {
-            for y in sides.clone() {
-                let (got, square) = (u128::from(length_above(x, y)), u128::from(x).pow(2) + u128::from(y).pow(2));
-                assert!(got * got >= square, "{x}, {y}: {got} is too short");
-                let less = got.saturating_sub(1 + (got >> 28));
-                assert!(less * less <= square, "{x}, {y}: {got} is too long");
-            }
-        }
     }
 }
