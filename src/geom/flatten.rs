@@ -1,35 +1,42 @@
 //! Curves to lines, within a tolerance, on the grid of 1/256 pixel.
 //!
-//! A Bézier curve is cut into halves (of its time), those into halves again, until each piece is flat and becomes its chord.
+//! A Bézier curve is cut into halves (of its time), those into halves again, until each part is flat, and becomes its chord, or
+//! bends evenly, and becomes a few chords of equal time.
 //! ```text
-//!           _.-o-._                     o  points on the curve: t = i / 2^k
-//!        .o'       'o.
-//!      .'             '.      0         1/4        1/2        3/4        1    t
-//!     o                 o     |----------+----------+-----+----+----------|   pieces: the sharper the bend,
-//!                                                                             the shorter
+//!            _.-o-._
+//!         .o'       'o.               o  points on the curve, at its start, its end and the times T
+//!       .'             '.
+//!      o                 'o           from 0 to 1/2 it bends evenly: 3 pieces; from 1/2 to 3/4 one is enough
+//!                           '-o-....__o
 //! ```
-//! Of the piece from t to t + h with the chord c, let `W` be `h^2 P''/2` at t + h/3 and at t + 2h/3: its control points lie at
-//! the thirds of c, less W/3. So the piece is never farther from c than `|W| / 4`, and, if its control points lie between the ends
-//! of c, not farther than `|W x c| / 4 |c|`. It is flat within `D` units when for both W
+//! Of the part from t to t + h with the chord c, let `W(s)` be `h^2 P''/2` at t + s h: the control points of the part lie at the
+//! thirds of c, less W(1/3) / 3 and W(2/3) / 3. So it is never farther from c than `|W| / 4`, and, if its control points lie between
+//! the ends of c, not farther than `|W x c| / 4 |c|`. It is *flat* within `D` units when for both W
 //! ```text
 //!     |W x c| / 4 D <= |c|  and  |W c| <= |c|^2      if |c| >= 4 D
 //!     |W| <= 4 D                                     if |c| < 4 D
 //! ```
-//! W and the quotient are rounded down to whole numbers, and pieces with a coordinate of W not within 2^15 are not flat. Where a
-//! side of the chord has more than 15 bits, both sides lose their low ones, down to 15, and so does W c. D is 32 units.
+//! Else let W be that of its ends, W(0) and W(1). One of m pieces is not farther from its chord than the longer W, `/ 4 m^2`: the
+//! fewest are m with `|W| <= 4 D m^2`. It *bends evenly* if m is 2, or if m is at most 16 and both W point across the chord, to the
+//! same side: `4 |W x c| > |W||c|` for the longer W. There pieces of equal time are hardly more than there must be.
 //!
-//! A vertex is the point of the curve, exactly, rounded to the nearest unit (halves upwards). Together with all that is
-//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its
+//! All W and the quotient are rounded down to whole numbers, and parts with a coordinate of W not within 2^15 are neither flat nor
+//! even. Where a side of the chord has more than 15 bits, both sides lose their low ones, down to 15, and so does W c. D is 32
+//! units. Piece i of m ends at `t + i h / m`, rounded to the nearest 2^-20.
+//!
+//! A vertex is the point of the curve, exactly, rounded to the nearest unit (halves upwards). Together with all that is rounded
+//! above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its
 //! end to its start has the same vertices: shapes that share it leave no gap.
 //!
-//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and one halving less. A piece that lies beside the window with all of its tolerance is not halved, whatever its bend. That changes no pixel of
-//! a fill: left of the window, how often a row is crossed depends on the two ends only; on the other sides nothing counts.
+//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and less halvings than pieces. A part that
+//! lies beside the window with all of its tolerance becomes its chord, whatever its bend. That changes no pixel of a fill:
+//! left of the window, how often a row is crossed depends on the two ends only; on the other sides nothing counts.
 //!
 //! Range: any `I24F8`. Points are sums below 2^93, in words of 64 and 32 bits.
 //!
 //! Sources: G. Farin, "Curves and Surfaces for CAGD", 1988 (halving, chords, second differences).
 
-use core::slice::Iter;
+use core::{num::NonZeroU32, slice::Iter};
 
 use super::{bits, path::PathSegment, view::View, Vertex};
 use crate::num::{
@@ -113,20 +120,41 @@ impl Iterator for Contour<'_> {
     }
 }
 
-/// A curve on its way.
+/// A curve on its way. Times are in units of 2^-20.
 #[derive(Clone, Debug)]
 struct Curve {
     x: Polynomial,
     y: Polynomial,
-    /// The time that the pieces so far took, in units of 2^-20, and where they ended.
-    done: u32,
+    part: Part,
+    /// Where the pieces so far ended.
     last: Vertex,
-    /// The end of the piece that was halved last, which its second half will ask for.
+    /// The end of the part that was looked at last: of the next one too, if it is the second half of what was halved.
     ahead: (u32, Vertex),
     /// No part of it can leave the view.
     whole: bool,
     /// W can be found in 32 bits.
     small: bool,
+}
+
+/// A part of a curve, from `start` on and `2^level` long, after `done` of its pieces.
+#[derive(Copy, Clone, Debug)]
+struct Part {
+    start: u32,
+    level: u32,
+    pieces: u32,
+    done: u32,
+}
+
+impl Part {
+    fn end(self) -> u32 {
+        self.start.wrapping_add(1_u32.wrapping_shl(self.level))
+    }
+
+    /// When so many of its pieces are done. From its end to its start, the times are the same.
+    fn time(self, done: u32) -> u32 {
+        let Some(pieces) = NonZeroU32::new(self.pieces) else { return self.start };
+        self.start.wrapping_add(done.wrapping_shl(self.level).wrapping_add(self.pieces >> 1) / pieces)
+    }
 }
 
 impl Curve {
@@ -144,34 +172,51 @@ impl Curve {
 
     fn new(x: Polynomial, y: Polynomial, (start, end): (Vertex, Vertex), whole: bool) -> Self {
         let small = x.is_small() && y.is_small();
-        Self { x, y, done: 0, last: start, ahead: (END, end), whole, small }
+        let part = Part { start: 0, level: 0, pieces: 0, done: 0 };
+        Self { x, y, part, last: start, ahead: (END, end), whole, small }
     }
 
-    /// The end of the next piece that is flat or cannot be seen.
+    /// The end of the next piece.
     fn next(&mut self, view: &View) -> Option<Node> {
-        if self.done == END {
-            return None;
-        }
-        // The largest piece of the tree that begins here: all that hold it were halved before.
-        let mut level = (self.done | END).trailing_zeros();
-        loop {
-            let end = self.done.wrapping_add(1_u32.wrapping_shl(level));
-            let bends = self.bends(level);
-            let at = if self.ahead.0 == end { self.ahead.1 } else { self.at(end) };
-            if bends.are_flat(self.last, at) || !self.whole && bends.hide(self.last, at, view) {
-                (self.done, self.last) = (end, at);
-                return Some(Node { at, smooth: end != END });
+        if self.part.done == self.part.pieces {
+            let start = self.part.time(self.part.done);
+            if start == END {
+                return None;
             }
-            self.ahead = (end, at);
-            level = level.wrapping_sub(1);
+            self.part = self.next_part(start, view);
+        }
+        self.part.done = self.part.done.wrapping_add(1);
+        let time = self.part.time(self.part.done);
+        self.last = if time == self.ahead.0 { self.ahead.1 } else { self.at(time) };
+        Some(Node { at: self.last, smooth: time != END })
+    }
+
+    /// The part from here on that is not halved, because it is flat, bends evenly or cannot be seen.
+    fn next_part(&mut self, start: u32, view: &View) -> Part {
+        // The largest one that begins here: all that hold it were halved before.
+        let mut part = Part { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
+        loop {
+            let end = part.end();
+            if self.ahead.0 != end {
+                self.ahead = (end, self.at(end));
+            }
+            let bends = self.bends(part);
+            part.pieces = bends.pieces(self.last, self.ahead.1);
+            if part.pieces == 0 && !self.whole && bends.hide(self.last, self.ahead.1, view) {
+                part.pieces = 1;
+            }
+            if part.pieces != 0 {
+                return part;
+            }
+            part.level = part.level.wrapping_sub(1);
         }
     }
 
-    /// Both W of the piece of `2^level` units of time that is next.
-    fn bends(&self, level: u32) -> Bends {
-        let length = 1_u32.wrapping_shl(level);
-        let first = self.done.wrapping_mul(3).wrapping_add(length);
-        let down = TIME.wrapping_sub(level) << 1;
+    /// W at the thirds of a part.
+    fn bends(&self, part: Part) -> Bends {
+        let length = 1_u32.wrapping_shl(part.level);
+        let first = part.start.wrapping_mul(3).wrapping_add(length);
+        let down = TIME.wrapping_sub(part.level) << 1;
         let bends = |time| {
             if self.small {
                 (self.x.small_bend(time, down), self.y.small_bend(time, down))
@@ -187,18 +232,18 @@ impl Curve {
     }
 }
 
-/// Both W of a piece. A coordinate that does not fit is the largest there is.
+/// W at the thirds of a part. A coordinate that does not fit is the largest there is.
 struct Bends((i32, i32), (i32, i32));
 
 impl Bends {
-    /// Whether the piece between two places is flat. Both W and both sides of the chord are below 2^15 then: sums of two products
-    /// fit 31 bits.
+    /// How many pieces the part between two places is cut into; 0 if it is halved instead.
+    ///
+    /// W and sides of the chord are below 2^15: sums of two products fit 31 bits.
     #[inline(always)]
-    fn are_flat(&self, from: Vertex, to: Vertex) -> bool {
+    fn pieces(&self, from: Vertex, to: Vertex) -> u32 {
         let &Self(first, second) = self;
-        let beyond = |n: i32| unsigned(n).wrapping_add(1 << 15) >> 16;
-        if beyond(first.0) | beyond(first.1) | beyond(second.0) | beyond(second.1) != 0 {
-            return false;
+        if !are_small(first, second) {
+            return 0;
         }
         let (c, scale) = chord(bits(from), bits(to));
         let square = product(c, c);
@@ -206,20 +251,50 @@ impl Bends {
             if square < 1 << (2 * FOUR_D) {
                 return product(w, w) <= 1 << (2 * FOUR_D);
             }
-            let across = product(w, (c.1, c.0.wrapping_neg())) >> FOUR_D;
+            let across = cross(w, c).unsigned_abs() >> FOUR_D;
             let along = product(w, c).wrapping_shr(scale);
             along <= square && across >> 16 == 0 && across.wrapping_mul(across) <= square
         };
-        flat(first) && flat(second)
+        if flat(first) && flat(second) {
+            return 1;
+        }
+        // On to the ends, as W is linear.
+        let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
+        let start = (on(first.0, second.0), on(first.1, second.1));
+        let end = (on(second.0, first.0), on(second.1, first.1));
+        if !are_small(start, end) {
+            return 0;
+        }
+        let longer = product(start, start).max(product(end, end));
+        let mut pieces = 1_u32;
+        // |W| <= 4 D m^2, in squares.
+        while pieces.wrapping_mul(pieces).wrapping_shl(FOUR_D).wrapping_pow(2) < longer {
+            pieces = pieces.wrapping_add(1);
+        }
+        let (p, q) = (cross(start, c), cross(end, c));
+        let across = u64::from(p.unsigned_abs().min(q.unsigned_abs()));
+        let even = p ^ q >= 0 && across.wrapping_mul(across) > u64::from(longer).wrapping_mul(u64::from(square)) >> 4;
+        if pieces == 2 || even && pieces <= 16 {
+            pieces
+        } else {
+            0
+        }
     }
 
-    /// Whether the piece between two places lies beside the view.
+    /// Whether the part between two places lies beside the view.
     fn hide(&self, from: Vertex, to: Vertex, view: &View) -> bool {
         let &Self((a, b), (c, d)) = self;
         let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
         // It is within |W| / 4 of the chord; W and both ends are rounded.
         size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
     }
+}
+
+/// Whether all coordinates are within 2^15.
+#[inline(always)]
+fn are_small(a: (i32, i32), b: (i32, i32)) -> bool {
+    let beyond = |n: i32| unsigned(n).wrapping_add(1 << 15) >> 16;
+    beyond(a.0) | beyond(a.1) | beyond(b.0) | beyond(b.1) == 0
 }
 
 /// From one place to another, in 15 bits and a sign, and how many low bits it lost.
@@ -235,6 +310,11 @@ fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
         }
     };
     ((side(x, to.0 < from.0), side(y, to.1 < from.1)), lost)
+}
+
+#[inline(always)]
+fn cross(a: (i32, i32), b: (i32, i32)) -> i32 {
+    a.0.wrapping_mul(b.1).wrapping_sub(a.1.wrapping_mul(b.0))
 }
 
 /// The scalar product of two vectors, without its sign.

@@ -77,17 +77,19 @@ pub(crate) fn times(points: &[Units]) -> Vec<i128> {
 }
 
 fn halve(points: &[Units], from: i128, to: i128, all: &mut Vec<i128>) {
-    if is_flat(points, from, to) {
-        all.push(to);
-    } else {
-        let middle = from + (to - from) / 2;
-        halve(points, from, middle, all);
-        halve(points, middle, to, all);
+    match parts(points, from, to) {
+        None => {
+            let middle = from + (to - from) / 2;
+            halve(points, from, middle, all);
+            halve(points, middle, to, all);
+        }
+        // To the nearest; there is no half.
+        Some(m) => all.extend((1..=m).map(|i| from + (2 * i * (to - from) + m) / (2 * m))),
     }
 }
 
-/// Whether a piece is flat, as `geom::flatten` tells.
-fn is_flat(points: &[Units], from: i128, to: i128) -> bool {
+/// How many pieces of equal time a part of a curve is cut into, as `geom::flatten` tells; `None` if it is halved instead.
+fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
     let length = to - from;
     // Of h^2 P''/2, at a time in units of 2^-20 / 3.
     let bend = |time: i128, coordinate: fn(&Units) -> i32| {
@@ -98,9 +100,10 @@ fn is_flat(points: &[Units], from: i128, to: i128) -> bool {
             if p.len() == 3 { 3 * END * second(0) } else { 3 * ((3 * END - time) * second(0) + time * second(1)) };
         (half * length * length).div_euclid(3 * END * END * END)
     };
-    let bends = [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)));
-    if bends.iter().any(|w| [w.0, w.1].iter().any(|n| !(-(1 << 15)..1 << 15).contains(n))) {
-        return false;
+    let is_small = |w: &(i128, i128)| [w.0, w.1].iter().all(|n| (-(1 << 15)..1 << 15).contains(n));
+    let [u, v] = [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)));
+    if !is_small(&u) || !is_small(&v) {
+        return None;
     }
     let (a, b) = (point(points, from), point(points, to));
     let mut chord = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
@@ -110,14 +113,28 @@ fn is_flat(points: &[Units], from: i128, to: i128) -> bool {
     }
     let square = chord.0 * chord.0 + chord.1 * chord.1;
     let four_d = 4 * 32;
-    bends.iter().all(|w| {
-        let (across, along) = (w.0 * chord.1 - w.1 * chord.0, w.0 * chord.0 + w.1 * chord.1);
+    let cross = |w: (i128, i128)| w.0 * chord.1 - w.1 * chord.0;
+    let flat = [u, v].iter().all(|&w| {
         if square >= four_d * four_d {
-            (across.abs() / four_d).pow(2) <= square && along.abs() / scale <= square
+            let along = w.0 * chord.0 + w.1 * chord.1;
+            (cross(w).abs() / four_d).pow(2) <= square && along.abs() / scale <= square
         } else {
             w.0 * w.0 + w.1 * w.1 <= four_d * four_d
         }
-    })
+    });
+    if flat {
+        return Some(1);
+    }
+    let ends = [(2 * u.0 - v.0, 2 * u.1 - v.1), (2 * v.0 - u.0, 2 * v.1 - u.1)];
+    let longer = ends.map(|w| w.0 * w.0 + w.1 * w.1).into_iter().max()?;
+    if !ends.iter().all(is_small) {
+        return None;
+    }
+    let m = (1..=16).find(|m| (four_d * m * m).pow(2) >= longer)?;
+    // (4 |W x c|)^2 against the other one.
+    let across = |w: (i128, i128)| (cross(w).pow(2) > (longer * square) / 16).then_some(cross(w) < 0);
+    let even = across(ends[0]).is_some() && across(ends[0]) == across(ends[1]);
+    (m == 2 || even).then_some(m)
 }
 
 /// The vertices of a curve after the first: the point at the end of each piece, rounded to nearest, halves upwards.
