@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// Slots of the edge table: more than any shape here has sides.
-const TABLE: usize = 1024;
+const TABLE: usize = 2048;
 
 pub(crate) fn entries() -> Vec<Entry<Polygon>> {
     use Origin::{Crate, Peer, Textbook};
