@@ -10,8 +10,8 @@
 //!                           |      |    |      |
 //!   row                 ....[======]....[======]....
 //! ```
-//! The table is the caller's. When the sides that cross a band of rows are more than it holds, the band is halved and the
-//! fill goes on; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
+//! The table is the caller's. When the sides that cross a band of rows are more than it holds, the fill goes on with fewer rows,
+//! in proportion; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
 //!
 //! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
 //! their first rows are spread evenly; per row the active sides, and `k log k` for k of them that were overtaken.
@@ -22,6 +22,7 @@ use core::{
     borrow::Borrow,
     cell::Cell,
     mem::{replace, swap},
+    num::NonZeroU32,
 };
 
 use super::{
@@ -88,13 +89,15 @@ where
     // Too many for one pass. First try all the bands, then paint them.
     for paint in [false, true] {
         let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
+        let mut count = whole.count;
         while y < whole.end {
+            rows = shared(rows, table.len(), count);
             let end = y.saturating_add(rows).min(whole.end);
             let band = load(contours.clone(), y, end, table);
-            if band.count > table.len() {
-                rows = end.wrapping_sub(y) / 2;
-                if rows == 0 {
-                    return Err(Error::EdgeTableFull { capacity: table.len(), needed: band.count, row: y });
+            (rows, count) = (end.wrapping_sub(y), band.count);
+            if count > table.len() {
+                if rows == 1 {
+                    return Err(Error::EdgeTableFull { capacity: table.len(), needed: count, row: y });
                 }
                 continue;
             }
@@ -102,10 +105,18 @@ where
                 scan(table, &band, rule, window, &mut emit);
             }
             y = end;
-            rows = rows.saturating_mul(2);
         }
     }
     Ok(())
+}
+
+/// How many rows may have 3/4 of `capacity` sides, when `rows` have `count`.
+fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
+    let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+    let Some(count) = NonZeroU32::new(count) else { return rows };
+    // Below 2^15 times 2^16.
+    let share = unsigned(rows.min(0x7fff)).wrapping_mul(capacity.wrapping_sub(capacity >> 2)) / count;
+    signed(share).max(1)
 }
 
 /// What [`load`] found: sides that cross the band, and the rows that they cross there.
