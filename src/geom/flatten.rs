@@ -39,10 +39,13 @@
 use core::{num::NonZeroU32, slice::Iter};
 
 use super::{bits, path::PathSegment, view::View, Vertex};
-use crate::num::{
-    cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
-    round::difference,
-    wide::times,
+use crate::{
+    num::{
+        cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
+        round::difference,
+        wide::times,
+    },
+    target::COMPACT,
 };
 
 /// 4 D is `2^7` units.
@@ -171,7 +174,7 @@ impl Curve {
     }
 
     fn new(x: Polynomial, y: Polynomial, (start, end): (Vertex, Vertex), whole: bool) -> Self {
-        let small = x.is_small() && y.is_small();
+        let small = !COMPACT && x.is_small() && y.is_small();
         let part = Part { start: 0, level: 0, pieces: 0, done: 0 };
         Self { x, y, part, last: start, ahead: (END, end), whole, small }
     }
