@@ -198,13 +198,20 @@ fn fill_words(words: &mut [u32], w: u32) {
         }
     }
     if UNALIGNED && words.len() >= 16 {
-        // Eight double stores; the last sixteen words overlap what is done.
-        for group in words.chunks_exact_mut(16) {
-            sixteen(group, w);
-            keep_rolled();
-        }
+        // Sixteen double stores a round. The last sixteen words overlap what the rounds leave, and may leave sixteen themselves.
         if let Some(last) = words.last_chunk_mut::<16>() {
             sixteen(last, w);
+        }
+        let mut groups = words.chunks_exact_mut(32);
+        for group in &mut groups {
+            if let Some((front, back)) = group.split_at_mut_checked(16) {
+                sixteen(front, w);
+                sixteen(back, w);
+            }
+            keep_rolled();
+        }
+        if let Some(first) = groups.into_remainder().first_chunk_mut::<16>() {
+            sixteen(first, w);
         }
         return;
     }
