@@ -11,7 +11,7 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut, Pod};
 use super::{bytes_per_pixel, PixelFormat};
 use crate::{
     num::cast::{low_u16, low_u8},
-    target::{keep_rolled, COMPACT, MULTIPLE, UNALIGNED, VECTORS},
+    target::{keep_rolled, of_no_origin, COMPACT, MULTIPLE, UNALIGNED, VECTORS},
 };
 
 /// A word full of pixels, for the formats that repeat in one.
@@ -202,7 +202,7 @@ fn fill_words(words: &mut [u32], w: u32) {
         if let Some(last) = words.last_chunk_mut::<16>() {
             sixteen(last, w);
         }
-        let mut groups = words.chunks_exact_mut(32);
+        let mut groups = of_no_origin(words).chunks_exact_mut(32);
         for group in &mut groups {
             if let Some((front, back)) = group.split_at_mut_checked(16) {
                 sixteen(front, w);
