@@ -25,10 +25,10 @@
 //! units. Piece i of m ends at `t + i h / m`, rounded to the nearest 2^-20.
 //!
 //! A vertex is the point of the curve, exactly, rounded to the nearest unit (halves upwards). Together with all that is rounded
-//! above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its
-//! end to its start has the same vertices: shapes that share it leave no gap.
+//! above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its end to its start has the same
+//! vertices: shapes that share it leave no gap.
 //!
-//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and less halvings than pieces. A part that
+//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and fewer halvings than pieces. A part that
 //! lies beside the window with all of its tolerance becomes its chord, whatever its bend. That changes no pixel of a fill:
 //! left of the window, how often a row is crossed depends on the two ends only; on the other sides nothing counts.
 //!
