@@ -304,7 +304,7 @@ pub trait Canvas: Surface {
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 4)?;
     /// let [a, b] = [0, 15].map(|x| Vertex::centre_of(Point::new(x, 0)));
     /// frame.draw_quadratic([a, Vertex::px(8, 7), b], Index1::MAX);
-    /// let rows = [0b1000_0000_0000_0001_u16, 0b0110_0000_0000_0110, 0b0001_0000_0000_1000, 0b0000_1111_1111_0000];
+    /// let rows = [0b1000_0000_0000_0001_u16, 0b0110_0000_0000_0110, 0b0001_1000_0001_1000, 0b0000_0111_1110_0000];
     /// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```

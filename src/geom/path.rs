@@ -38,7 +38,7 @@ pub enum PathSegment {
 /// let path = Path::new(&drop);
 /// let contours: Vec<Vec<Vertex>> = path.contours().map(|c| c.collect()).collect();
 /// assert_eq!(contours.len(), 1);
-/// assert_eq!(contours[0].len(), 15); // seven sides a curve, each within 1/7 pixel of it
+/// assert_eq!(contours[0].len(), 17); // eight sides a curve, each within 1/7 pixel of it
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Path<'a> {
