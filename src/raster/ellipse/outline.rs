@@ -50,7 +50,7 @@ fn draw<const FILLED: bool>(area: Rect, window: Rect, mut emit: impl FnMut(Clipp
 #[inline(always)]
 pub(crate) fn octants(area: Rect, window: Rect) -> Option<Octants> {
     let inside = area.intersection(window) == area && !area.is_empty();
-    (!COMPACT && inside && is_small_disc(area)).then(|| Octants::new(area))
+    (inside && is_small_disc(area)).then(|| Octants::new(area))
 }
 
 #[inline(never)]
