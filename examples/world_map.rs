@@ -7,7 +7,7 @@ use std::{cmp::Reverse, error::Error, fs, process::ExitCode};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
-    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, surface::Counter, Edge, Framebuffer, Index1, Index2, Index4,
+    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, surface::Counter, EdgeSlot, Framebuffer, Index1, Index2, Index4,
     Index8,
 };
 use embedded_raster_simulator::{
@@ -85,7 +85,7 @@ fn draw(world: &World, options: &Options, turns: usize) -> Result<Drawing, embed
 fn draw_as<C: Depth>(world: &World, options: &Options, turns: usize) -> Result<Drawing, embedded_raster::Error> {
     let Screen { width, height, .. } = options.screen;
     let rows = options.band.unwrap_or(height).clamp(1, height.max(1));
-    let mut table = [Edge::EMPTY; EDGES];
+    let mut table = [EdgeSlot::EMPTY; EDGES];
     let mut ram = vec![0; buffer_bytes::<C>(width, rows)];
     // What a display would have received: each band is sent before the next one is drawn in the same memory.
     let mut screen = Vec::with_capacity(buffer_bytes::<C>(width, height));
@@ -108,7 +108,7 @@ fn draw_as<C: Depth>(world: &World, options: &Options, turns: usize) -> Result<D
 /// Says what it took and what was covered.
 fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Result<(), Box<dyn Error>> {
     let Screen { projection, width, height } = options.screen;
-    let mut table = [Edge::EMPTY; EDGES];
+    let mut table = [EdgeSlot::EMPTY; EDGES];
     let (areas, globe) = (world.areas(&mut table)?, world.globe(&mut table)?);
     let land: u64 = areas.iter().sum();
     let vertices: usize = map.countries.iter().flat_map(|country| &country.rings).map(Vec::len).sum();

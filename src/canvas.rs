@@ -9,13 +9,13 @@ use fixed::types::I24F8;
 
 use crate::{
     error::Error,
-    geom::{Path, PathSegment, Vertex},
+    geom::{Path, PathSegment, PointFx},
     raster::{
         arc,
         ellipse::{self, Disc},
         line, outline, polygon, rectangle, rounded,
         stroke::Dashing,
-        triangle, Edge, Ellipse, FillRule, Radii, Sector, Stroke,
+        triangle, EdgeSlot, Ellipse, FillRule, Radii, Sector, Stroke,
     },
     rect::Rect,
     span::ClippedSpan,
@@ -24,14 +24,14 @@ use crate::{
 
 /// Draws shapes on any [`Surface`]. Whatever lies outside of its window is clipped, exactly.
 ///
-/// Lines join pixels ([`Point`]); filled shapes are given by places on the plane ([`Vertex`]). Each method links only the
+/// Lines join pixels ([`Point`]); filled shapes are given by places on the plane ([`PointFx`]). Each method links only the
 /// code of its own shape.
 /// ```
 /// use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb565, prelude::RgbColor};
-/// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, Vertex};
+/// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, PointFx};
 /// let mut ram = [0; buffer_bytes::<Rgb565>(64, 48)];
 /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 48)?;
-/// frame.fill_triangle([Vertex::px(32, 4), Vertex::px(60, 40), Vertex::px(6, 44)], Rgb565::RED);
+/// frame.fill_triangle([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Rgb565::RED);
 /// frame.draw_line(Point::new(0, 0), Point::new(63, 47), Rgb565::WHITE);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
@@ -44,7 +44,7 @@ pub trait Canvas: Surface {
 
     /// Paints the pixel that contains a place.
     #[inline]
-    fn draw_point(&mut self, at: Vertex, color: Self::Color) {
+    fn draw_point(&mut self, at: PointFx, color: Self::Color) {
         let Point { x, y } = at.pixel();
         self.fill_area(Rect::new(x, y, x + 1, y + 1), color);
     }
@@ -109,13 +109,13 @@ pub trait Canvas: Surface {
     /// Fills a rectangle given by two opposite corners: the pixels whose centres lie inside, those on the left and top
     /// sides included.
     #[inline]
-    fn fill_rectangle(&mut self, a: Vertex, b: Vertex, color: Self::Color) {
+    fn fill_rectangle(&mut self, a: PointFx, b: PointFx, color: Self::Color) {
         self.fill_area(rectangle::pixels(a, b), color);
     }
 
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
     #[inline]
-    fn fill_triangle(&mut self, corners: [Vertex; 3], color: Self::Color) {
+    fn fill_triangle(&mut self, corners: [PointFx; 3], color: Self::Color) {
         triangle::fill_to(corners, self.window(), &mut Brush { surface: self, color });
     }
 
@@ -155,13 +155,13 @@ pub trait Canvas: Surface {
 
     /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle.
     #[inline]
-    fn draw_round_point(&mut self, at: Vertex, size: I24F8, color: Self::Color) {
+    fn draw_round_point(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
         self.fill_ellipse(Ellipse::splat(at, size), color);
     }
 
     /// Paints a square point of any size: the pixels whose centres lie inside, those on the left and top sides included.
     #[inline]
-    fn draw_square_point(&mut self, at: Vertex, size: I24F8, color: Self::Color) {
+    fn draw_square_point(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
         self.fill_area(ellipse::square(at, size), color);
     }
 
@@ -235,9 +235,9 @@ pub trait Canvas: Surface {
     #[inline]
     fn fill_polygon(
         &mut self,
-        outline: &[Vertex],
+        outline: &[PointFx],
         rule: FillRule,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error> {
         polygon::fill([outline], rule, self.window(), table, |span| self.fill_span(span, color))
@@ -252,25 +252,25 @@ pub trait Canvas: Surface {
         &mut self,
         contours: C,
         rule: FillRule,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error>
     where
         Self: Sized,
         C: IntoIterator + Clone,
         C::Item: IntoIterator,
-        <C::Item as IntoIterator>::Item: Borrow<Vertex>,
+        <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
         polygon::fill(contours, rule, self.window(), table, |span| self.fill_span(span, color))
     }
 
     /// Fills a path: see [`flatten`](crate::geom::flatten) for how its curves become lines.
     /// ```
-    /// use embedded_raster::{buffer_bytes, Canvas, Edge, FillRule, Framebuffer, Index1, Path, PathSegment::*, Vertex};
+    /// use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, FillRule, Framebuffer, Index1, Path, PathSegment::*, PointFx};
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 8)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
-    /// let arch = [MoveTo(Vertex::px(0, 8)), QuadraticTo(Vertex::px(8, -8), Vertex::px(16, 8))];
-    /// frame.fill_path(Path::new(&arch), FillRule::NonZero, &mut [Edge::EMPTY; 8], Index1::MAX)?;
+    /// let arch = [MoveTo(PointFx::px(0, 8)), QuadraticTo(PointFx::px(8, -8), PointFx::px(16, 8))];
+    /// frame.fill_path(Path::new(&arch), FillRule::NonZero, &mut [EdgeSlot::EMPTY; 8], Index1::MAX)?;
     /// let rows = [0b0000_0011_1100_0000_u16, 0b0000_0111_1110_0000, 0b0000_1111_1111_0000];
     /// assert_eq!(ram[..6], rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
@@ -283,7 +283,7 @@ pub trait Canvas: Surface {
         &mut self,
         path: Path<'_>,
         rule: FillRule,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error> {
         let window = self.window();
@@ -299,23 +299,23 @@ pub trait Canvas: Surface {
     /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.
     /// ```
     /// use embedded_graphics_core::geometry::Point;
-    /// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, Index1, Vertex};
+    /// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, Index1, PointFx};
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 4)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 4)?;
-    /// let [a, b] = [0, 15].map(|x| Vertex::centre_of(Point::new(x, 0)));
-    /// frame.draw_quadratic([a, Vertex::px(8, 7), b], Index1::MAX);
+    /// let [a, b] = [0, 15].map(|x| PointFx::centre_of(Point::new(x, 0)));
+    /// frame.draw_quadratic([a, PointFx::px(8, 7), b], Index1::MAX);
     /// let rows = [0b1000_0000_0000_0001_u16, 0b0110_0000_0000_0110, 0b0001_1000_0001_1000, 0b0000_0111_1110_0000];
     /// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn draw_quadratic(&mut self, [a, c, b]: [Vertex; 3], color: Self::Color) {
+    fn draw_quadratic(&mut self, [a, c, b]: [PointFx; 3], color: Self::Color) {
         self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
     }
 
     /// Draws a cubic Bézier curve one pixel wide: start, two control points, end.
     #[inline]
-    fn draw_cubic(&mut self, [a, c, d, b]: [Vertex; 4], color: Self::Color) {
+    fn draw_cubic(&mut self, [a, c, d, b]: [PointFx; 4], color: Self::Color) {
         self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
     }
 
@@ -329,7 +329,7 @@ pub trait Canvas: Surface {
         &mut self,
         path: Path<'_>,
         stroke: &Stroke<D>,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error>
     where
@@ -347,10 +347,10 @@ pub trait Canvas: Surface {
     #[inline]
     fn stroke_polyline<D: Dashing>(
         &mut self,
-        places: &[Vertex],
+        places: &[PointFx],
         closed: bool,
         stroke: &Stroke<D>,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error>
     where
@@ -368,9 +368,9 @@ pub trait Canvas: Surface {
     #[inline]
     fn stroke_line<D: Dashing>(
         &mut self,
-        [a, b]: [Vertex; 2],
+        [a, b]: [PointFx; 2],
         stroke: &Stroke<D>,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), Error>
     where

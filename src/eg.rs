@@ -180,10 +180,10 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
 /// The first error of the target. Nothing is sent to the target after it.
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
-/// use embedded_raster::{eg::draw_on, Canvas, Vertex};
+/// use embedded_raster::{eg::draw_on, Canvas, PointFx};
 /// let mut display = MockDisplay::new();
 /// draw_on(&mut display, |canvas| {
-///     canvas.fill_triangle([Vertex::px(0, 0), Vertex::px(4, 0), Vertex::px(0, 4)], BinaryColor::On);
+///     canvas.fill_triangle([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)], BinaryColor::On);
 /// })?;
 /// display.assert_pattern(&["###", "## ", "#  "]);
 /// # Ok::<(), core::convert::Infallible>(())

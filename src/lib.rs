@@ -20,10 +20,10 @@ mod target;
 
 pub use canvas::Canvas;
 pub use error::Error;
-pub use geom::{Angle, Path, PathSegment, Vertex, Viewport};
+pub use geom::{Angle, Path, PathSegment, PointFx, Viewport};
 pub use octants::Octants;
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Cap, Dash, Edge, Ellipse, FillRule, Join, Radii, Sector, Stroke};
+pub use raster::{Cap, Dash, EdgeSlot, Ellipse, FillRule, Join, Radii, Sector, Stroke};
 pub use rect::Rect;
 pub use span::{ClippedSpan, Span, Steps};
 pub use surface::{Bitmap, Framebuffer, Surface};

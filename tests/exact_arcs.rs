@@ -17,7 +17,7 @@ use embedded_raster::{
         ellipse::Ellipse,
         rounded::{self, Radii},
     },
-    Angle, Canvas, Rect, Vertex,
+    Angle, Canvas, PointFx, Rect,
 };
 use fixed::types::I24F8;
 use support::{
@@ -115,7 +115,7 @@ fn pies_are_whole() {
     let mut rng = Rng::new(403);
     let window = Rect::new(-12, -12, 13, 13);
     for _ in 0..2_000 {
-        let centre = Vertex::from_bits(128 * rng.int(-4, 4), 128 * rng.int(-4, 4) + rng.int(0, 1));
+        let centre = PointFx::from_bits(128 * rng.int(-4, 4), 128 * rng.int(-4, 4) + rng.int(0, 1));
         let pie = Ellipse::circle(centre, I24F8::from_bits(rng.int(1, 2_500)));
         let mut angles: Vec<u32> = (0..rng.range(2, 7)).map(|_| rng.bits() as u32 & 0xfc00_0000).collect();
         angles.sort_unstable();
@@ -207,7 +207,7 @@ fn tiles_of_every_size_show_the_same() {
         let radii = Radii { top_left: at(0, 30) as u32, bottom_right: at(0, 30) as u32, ..Radii::all(7) };
         let sector = Sector::new(Angle::degrees(at(0, 360)), Angle::degrees(at(0, 360)));
         let (outer, inner) =
-            (Ellipse::in_box(area), Ellipse::circle(Vertex::px(x + 9, y + 9), I24F8::from_bits(at(1, 4_000))));
+            (Ellipse::in_box(area), Ellipse::circle(PointFx::px(x + 9, y + 9), I24F8::from_bits(at(1, 4_000))));
         let shapes: [&dyn Fn(Rect) -> Vec<Run>; 5] = [
             &|window| collect(window, |emit| rounded::fill(area, radii, window, emit)),
             &|window| collect(window, |emit| rounded::outline(area, radii, window, emit)),

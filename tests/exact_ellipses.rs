@@ -15,7 +15,7 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     buffer_bytes,
     raster::ellipse::{self, Ellipse},
-    Canvas, Framebuffer, Rect, Surface, Vertex,
+    Canvas, Framebuffer, PointFx, Rect, Surface,
 };
 use fixed::types::I24F8;
 use support::{
@@ -47,11 +47,11 @@ fn check(area: Rect, window: Rect) -> bool {
 
 fn check_units(centre: (i32, i32), radii: (i32, i32), window: Rect) -> bool {
     let [rx, ry] = [radii.0, radii.1].map(I24F8::from_bits);
-    let shape = Ellipse::new(Vertex::from_bits(centre.0, centre.1), rx, ry);
+    let shape = Ellipse::new(PointFx::from_bits(centre.0, centre.1), rx, ry);
     let wide = |(a, b): (i32, i32)| (i64::from(a), i64::from(b));
     let wanted = runs_where(window, |x, y| twins::ellipse_has(wide(centre), wide(radii), 256, x, y));
     assert_runs(window, &filled(shape, window), &wanted, || format!("{centre:?} radii {radii:?}"));
-    let splat = Ellipse::splat(Vertex::from_bits(centre.0, centre.1), rx);
+    let splat = Ellipse::splat(PointFx::from_bits(centre.0, centre.1), rx);
     let twice = (2 * i64::from(centre.0), 2 * i64::from(centre.1));
     let size = i64::from(radii.0);
     let round = runs_where(window, |x, y| twins::ellipse_has(twice, (size, size), 512, x, y));
@@ -262,7 +262,7 @@ fn squares() {
     let mut rng = Rng::new(204);
     for _ in 0..20_000 {
         let (x, y, size) = (rng.int(-3_000, 3_000), rng.int(-3_000, 3_000), rng.int(-20, 3_000));
-        let got = ellipse::square(Vertex::from_bits(x, y), I24F8::from_bits(size));
+        let got = ellipse::square(PointFx::from_bits(x, y), I24F8::from_bits(size));
         let window = Rect::new(-20, -20, 20, 20);
         let inside = |c: i32, at: i32| {
             let twice = 2 * (256 * c + 128);
@@ -282,7 +282,7 @@ fn tiles_of_every_size_show_the_same_ellipse() {
         let (x, y) = (at(-30, 30), at(-30, 20));
         let area = Rect::new(x, y, x + at(1, 60), y + at(1, 50));
         let units = Ellipse::new(
-            Vertex::from_bits(at(-4_000, 9_000), at(-3_000, 8_000)),
+            PointFx::from_bits(at(-4_000, 9_000), at(-3_000, 8_000)),
             I24F8::from_bits(at(1, 9_000)),
             I24F8::from_bits(at(1, 7_000)),
         );

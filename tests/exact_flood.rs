@@ -19,18 +19,18 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::Lsb0,
-    raster::flood::{fill, Pending, Reach},
+    raster::flood::{fill, Connectivity, FloodSlot},
     surface::{paged_bytes, Paged},
     Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect,
 };
 use support::{letters::Letters, rng::Rng};
 
-const REACHES: [Reach; 2] = [Reach::Sides, Reach::Corners];
+const REACHES: [Connectivity; 2] = [Connectivity::Sides, Connectivity::Corners];
 
-fn check(picture: &Letters, seed: (i32, i32), reach: Reach, capacity: usize) {
+fn check(picture: &Letters, seed: (i32, i32), reach: Connectivity, capacity: usize) {
     let wanted = picture.flooded(seed, reach);
     let mut got = picture.clone();
-    fill(&mut got, Point::new(seed.0, seed.1), reach, &mut vec![Pending::EMPTY; capacity]);
+    fill(&mut got, Point::new(seed.0, seed.1), reach, &mut vec![FloodSlot::EMPTY; capacity]);
     assert!(
         got == wanted,
         "{reach:?} from {seed:?} with {capacity} slots in\n{}got\n{}wanted\n{}",
@@ -247,7 +247,7 @@ fn in_memory<F: PixelFormat>(seed: u64) {
                 }
             })
             .collect();
-        let mut table = vec![Pending::EMPTY; rng.index(6)];
+        let mut table = vec![FloodSlot::EMPTY; rng.index(6)];
         let mut clipped = frame.clipped(window);
         match boundary {
             Some(boundary) => clipped.flood_fill_to(seed, boundary, reach, new, &mut table),
@@ -286,7 +286,7 @@ fn pages() {
             oled.set(Point::new(x, y), BinaryColor::from(picture.at(x, y) == Some(b'#')));
         }
         let (seed, reach) = ((rng.int(0, 22), rng.int(0, 18)), rng.pick(&REACHES));
-        oled.flood_fill(Point::new(seed.0, seed.1), reach, BinaryColor::On, &mut [Pending::EMPTY; 3]);
+        oled.flood_fill(Point::new(seed.0, seed.1), reach, BinaryColor::On, &mut [FloodSlot::EMPTY; 3]);
         let wanted = picture.flooded(seed, reach);
         for (x, y) in points() {
             let on = oled.get(Point::new(x, y)) == Some(BinaryColor::On);
@@ -301,6 +301,6 @@ fn unused_bits() {
     let mut ram = [0, 0, 0, 0x80, 0, 0];
     let mut frame = Framebuffer::<Rgb555>::new(&mut ram, 3, 1).expect("enough bytes");
     let red = Rgb555::new(31, 0, 0);
-    frame.flood_fill(Point::new(0, 0), Reach::Sides, red, &mut [Pending::EMPTY]);
+    frame.flood_fill(Point::new(0, 0), Connectivity::Sides, red, &mut [FloodSlot::EMPTY]);
     assert_eq!(frame.get(Point::new(2, 0)), Some(red));
 }

@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use embedded_raster::{
     raster::{self, polygon},
-    Edge, FillRule, Path, Rect, Vertex,
+    EdgeSlot, FillRule, Path, PointFx, Rect,
 };
 use support::{
     assert_runs, collect,
@@ -20,7 +20,7 @@ use support::{
     twins, Run, Units,
 };
 
-fn units(v: Vertex) -> Units {
+fn units(v: PointFx) -> Units {
     (v.x.to_bits(), v.y.to_bits())
 }
 
@@ -39,7 +39,7 @@ fn wanted_contours(pieces: &[Piece]) -> Vec<(Vec<Units>, bool)> {
 
 fn filled(pieces: &[Piece], rule: FillRule, window: Rect, capacity: usize) -> Vec<Run> {
     let path = segments(pieces);
-    let mut table = vec![Edge::EMPTY; capacity];
+    let mut table = vec![EdgeSlot::EMPTY; capacity];
     collect(window, |emit| {
         let contours = Path::new(&path).contours_in(window);
         polygon::fill(contours, rule, window, &mut table, emit).expect("enough slots");

@@ -6,7 +6,7 @@ mod support;
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     raster::{polygon, rectangle, triangle},
-    Canvas, Edge, Error, FillRule, Rect, Vertex,
+    Canvas, EdgeSlot, Error, FillRule, PointFx, Rect,
 };
 use support::{
     assert_runs, collect, corners,
@@ -22,8 +22,8 @@ const POLYGONS: usize = 260_000;
 const RULES: [FillRule; 2] = [FillRule::NonZero, FillRule::EvenOdd];
 
 fn filled(contours: &[Vec<Units>], rule: FillRule, window: Rect, capacity: usize) -> Result<Vec<Run>, Error> {
-    let contours: Vec<Vec<Vertex>> = contours.iter().map(|c| vertices(c)).collect();
-    let mut table = vec![Edge::EMPTY; capacity];
+    let contours: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
+    let mut table = vec![EdgeSlot::EMPTY; capacity];
     let mut result = Ok(());
     let mut emitted = 0;
     let runs = collect(window, |emit| {
@@ -234,7 +234,7 @@ fn rectangles() {
         let around = vec![a, (b.0, a.1), b, (a.0, b.1)];
         let window = window_on(&mut rng, &around);
         let wanted = twins::rectangle(a, b, window);
-        let pixels = rectangle::pixels(Vertex::from_bits(a.0, a.1), Vertex::from_bits(b.0, b.1));
+        let pixels = rectangle::pixels(PointFx::from_bits(a.0, a.1), PointFx::from_bits(b.0, b.1));
         let got = runs_where(window, |x, y| pixels.contains(x, y));
         assert_runs(window, &got, &wanted, || format!("rectangle {a:?} {b:?}"));
         if i % 4 == 0 {
@@ -290,9 +290,9 @@ fn contours_are_any_iterators() {
     let ring = [(0, 0), (2_000, 100), (700, 1_900)];
     let window = Rect::new(0, 0, 9, 9);
     let wanted = twins::polygon(&[ring.to_vec()], FillRule::NonZero, window);
-    let mut table = [Edge::EMPTY; 3];
+    let mut table = [EdgeSlot::EMPTY; 3];
     let by_value = collect(window, |emit| {
-        let ring = ring.iter().map(|&(x, y)| Vertex::from_bits(x, y));
+        let ring = ring.iter().map(|&(x, y)| PointFx::from_bits(x, y));
         polygon::fill(core::iter::once(ring), FillRule::NonZero, window, &mut table, emit).expect("enough slots");
     });
     assert_eq!(by_value, wanted);
@@ -301,6 +301,6 @@ fn contours_are_any_iterators() {
         polygon::fill([&list[..]], FillRule::NonZero, window, &mut table, emit).expect("enough slots");
     });
     assert_eq!(by_reference, wanted);
-    let nothing: [&[Vertex]; 0] = [];
+    let nothing: [&[PointFx]; 0] = [];
     assert_eq!(collect(window, |emit| polygon::fill(nothing, FillRule::NonZero, window, &mut [], emit).unwrap()), []);
 }

@@ -5,7 +5,7 @@ mod support;
 
 use std::collections::HashSet;
 
-use embedded_raster::{raster::polygon, Cap, Edge, FillRule, Join, Path, Rect, Stroke, Vertex};
+use embedded_raster::{raster::polygon, Cap, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke};
 use fixed::types::I24F8;
 use support::{
     assert_runs, collect,
@@ -30,14 +30,14 @@ fn stroke(pen: Pen) -> Stroke {
 fn path_pixels(pieces: &[Piece], pen: Pen, window: Rect) -> Vec<Run> {
     let path = segments(pieces);
     let parts = stroke(pen).of_path(Path::new(&path), window);
-    let mut table = vec![Edge::EMPTY; parts.clone().map(Iterator::count).sum()];
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
     collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
 }
 
 fn polyline_pixels(units: &[Units], closed: bool, pen: Pen, window: Rect) -> Vec<Run> {
     let places = vertices(units);
     let parts = stroke(pen).of_polyline(&places, closed, window);
-    let mut table = vec![Edge::EMPTY; parts.clone().map(Iterator::count).sum()];
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
     collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
 }
 
@@ -259,12 +259,12 @@ fn work_depends_on_the_window() {
 
 #[test]
 fn vertices_of_pieces() {
-    let pieces = |cap, join| -> Vec<Vec<Vertex>> {
-        let corner = [Vertex::px(0, 0), Vertex::px(10, 0), Vertex::px(10, 10)];
+    let pieces = |cap, join| -> Vec<Vec<PointFx>> {
+        let corner = [PointFx::px(0, 0), PointFx::px(10, 0), PointFx::px(10, 10)];
         let stroke = Stroke::px(2).with_cap(cap).with_join(join);
         stroke.of_polyline(&corner, false, Rect::new(0, 0, 20, 20)).map(Iterator::collect).collect()
     };
-    let px = |list: &[(i32, i32)]| list.iter().map(|&(x, y)| Vertex::px(x, y)).collect::<Vec<_>>();
+    let px = |list: &[(i32, i32)]| list.iter().map(|&(x, y)| PointFx::px(x, y)).collect::<Vec<_>>();
     let (first, second) = (px(&[(0, 1), (10, 1), (10, -1), (0, -1)]), px(&[(9, 0), (9, 10), (11, 10), (11, 0)]));
     assert_eq!(pieces(Cap::Butt, Join::Bevel), [first.clone(), px(&[(10, 0), (11, 0), (10, -1)]), second.clone()]);
     let miter = px(&[(10, 0), (11, 0), (11, -1), (10, -1)]);
@@ -278,7 +278,7 @@ fn dashed_pixels(pieces: &[Piece], pen: Pen, pattern: &Pattern, window: Rect) ->
     let lengths: Vec<I24F8> = pattern.lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
     let stroke = stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
     let parts = stroke.of_path(Path::new(&path), window);
-    let mut table = vec![Edge::EMPTY; parts.clone().map(Iterator::count).sum()];
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
     collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
 }
 
@@ -334,7 +334,7 @@ fn dashes_beside_the_window_are_skipped() {
     let lengths = [8, 8].map(I24F8::from_bits);
     for _ in 0..2_000 {
         let far = |rng: &mut Rng| rng.pick(&[i32::MIN, i32::MAX, -(1 << 30), 5_000, 1 << 24]);
-        let line = [(); 2].map(|()| Vertex::from_bits(far(&mut rng), far(&mut rng)));
+        let line = [(); 2].map(|()| PointFx::from_bits(far(&mut rng), far(&mut rng)));
         let stroke = Stroke::px(3).dashed(&lengths, I24F8::ZERO);
         let count = stroke.of_polyline(&line, false, window).count();
         assert!(count < 16 * 150, "{count} pieces of {line:?}");

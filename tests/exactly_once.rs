@@ -13,7 +13,7 @@ mod support;
 
 use embedded_raster::{
     raster::{polygon, triangle},
-    Edge, FillRule, Rect,
+    EdgeSlot, FillRule, Rect,
 };
 use support::{
     collect, corners,
@@ -42,7 +42,7 @@ const FILLERS: [(&str, Filler); 3] = [
     ("walk", |units, window| collect(window, |emit| triangle::walk(corners(units), window, emit))),
     ("polygon", |units, window| {
         let outline = vertices(&units);
-        let mut table = [Edge::EMPTY; 3];
+        let mut table = [EdgeSlot::EMPTY; 3];
         collect(window, |emit| {
             polygon::fill([&outline[..]], FillRule::EvenOdd, window, &mut table, emit).expect("three slots");
         })
@@ -256,7 +256,7 @@ fn polygons_along_a_common_border() {
         let right: Vec<Units> = inner().chain([(7_000, 6_900), (7_000, -900)]).collect();
         let painted = |outline: &[Units]| {
             let outline = vertices(outline);
-            let mut table = [Edge::EMPTY; 20];
+            let mut table = [EdgeSlot::EMPTY; 20];
             collect(WINDOW, |emit| {
                 polygon::fill([&outline[..]], FillRule::EvenOdd, WINDOW, &mut table, emit).expect("enough slots");
             })

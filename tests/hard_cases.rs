@@ -16,7 +16,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     raster::{line, polygon, rectangle, triangle},
-    Canvas, Edge, Error, FillRule, Framebuffer, Index1, Rect, Surface, Vertex,
+    Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index1, PointFx, Rect, Surface,
 };
 use support::{
     assert_runs, collect, corners, hits::Hits, picture, rng::Rng, runs_where, tiles, twins, vertices, Run, Units,
@@ -42,7 +42,7 @@ fn check_triangle(units: [Units; 3], window: Rect) -> Vec<Run> {
 
 fn fill_polygon(outline: &[Units], rule: FillRule, window: Rect) -> Vec<Run> {
     let outline = vertices(outline);
-    let mut table = vec![Edge::EMPTY; outline.len()];
+    let mut table = vec![EdgeSlot::EMPTY; outline.len()];
     collect(window, |emit| polygon::fill([&outline[..]], rule, window, &mut table, emit).expect("a slot for each side"))
 }
 
@@ -123,7 +123,7 @@ fn a_square_with_its_corners_on_centres() {
     let (a, b) = ((2 * PX + HALF, 3 * PX + HALF), (6 * PX + HALF, 5 * PX + HALF));
     let wanted = [(3, 2, 6), (4, 2, 6)];
     assert_eq!(check_polygon(&[a, (b.0, a.1), b, (a.0, b.1)], WINDOW), wanted);
-    assert_eq!(rectangle::pixels(Vertex::from_bits(a.0, a.1), Vertex::from_bits(b.0, b.1)), Rect::new(2, 3, 6, 5));
+    assert_eq!(rectangle::pixels(PointFx::from_bits(a.0, a.1), PointFx::from_bits(b.0, b.1)), Rect::new(2, 3, 6, 5));
     let halves = [[a, (b.0, a.1), b], [a, b, (a.0, b.1)]].map(|t| pixels(&check_triangle(t, WINDOW)));
     assert_eq!(halves.iter().sum::<i32>(), 8);
 }
@@ -438,7 +438,7 @@ fn a_drawing_cut_into_tiles_is_the_drawing() {
             0 => surface.draw_line(a, b, BinaryColor::On),
             1 => surface.fill_triangle(corners([units[0], units[1], units[2]]), BinaryColor::On),
             2 => {
-                let mut table = [Edge::EMPTY; 7];
+                let mut table = [EdgeSlot::EMPTY; 7];
                 let outline = vertices(&units);
                 surface.fill_polygon(&outline, FillRule::EvenOdd, &mut table, BinaryColor::On).expect("enough slots");
             }
@@ -532,7 +532,7 @@ fn polygons_of_255_to_257_sides() {
 fn a_full_edge_table_paints_nothing() {
     let outline: Vec<Units> = (0..40).map(|i| (i * 200, if i % 2 == 0 { 0 } else { 20 * PX })).collect();
     let mut hits = Hits::new(WINDOW);
-    let mut table = [Edge::EMPTY; 39];
+    let mut table = [EdgeSlot::EMPTY; 39];
     let result = hits.fill_polygon(&vertices(&outline), FillRule::EvenOdd, &mut table, BinaryColor::On);
     assert_eq!(result, Err(Error::EdgeTableFull { capacity: 39, needed: 40, row: 0 }));
     assert!(hits.runs().is_empty(), "{}", picture(WINDOW, &hits.runs()));
@@ -544,7 +544,7 @@ fn surfaces_of_extreme_sizes() {
     fn draw(surface: &mut impl Surface<Color = Gray8>) {
         let color = Gray8::new(7);
         surface.draw_line(Point::new(-9, -9), Point::new(i32::MAX, i32::MAX), color);
-        surface.fill_triangle([Vertex::px(-1, -1), Vertex::px(i32::MAX, -1), Vertex::px(-1, i32::MAX)], color);
+        surface.fill_triangle([PointFx::px(-1, -1), PointFx::px(i32::MAX, -1), PointFx::px(-1, i32::MAX)], color);
         surface.fill_window(color);
     }
     for (width, height) in

@@ -28,18 +28,18 @@ use embedded_raster::{
     geom::{
         clip, delaunay, exact,
         polygon::{contains, is_convex, orientation, twice_area},
-        triangulate::{self, Node},
+        triangulate::{self, SideSlot},
         Viewport,
     },
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
     raster::{
         arc, ellipse,
-        flood::{Pending, Reach},
+        flood::{Connectivity, FloodSlot},
         line, outline, polygon, rectangle, rounded, triangle,
     },
     surface::{paged_bytes, Counter, Paged},
-    Angle, Bitmap, Canvas, Cap, ClippedSpan, Edge, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
-    Join, Palette, Path, PathSegment, PixelFormat, Radii, Rect, Sector, Span, Steps, Stroke, Surface, Vertex,
+    Angle, Bitmap, Canvas, Cap, ClippedSpan, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
+    Join, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use support::{memory::color, rng::Rng};
@@ -102,8 +102,8 @@ fn wild_point(rng: &mut Rng) -> Point {
     Point::new(wild(rng), wild(rng))
 }
 
-fn wild_vertex(rng: &mut Rng) -> Vertex {
-    Vertex::from_bits(wild(rng), wild(rng))
+fn wild_vertex(rng: &mut Rng) -> PointFx {
+    PointFx::from_bits(wild(rng), wild(rng))
 }
 
 fn wild_rectangle(rng: &mut Rng) -> Rectangle {
@@ -144,9 +144,9 @@ fn rectangles_and_spans() {
                     if let Some(span) = (Span { y: y0, x0, x1 }).clip(b) {
                         look(span);
                     }
-                    let (v, w) = (Vertex::from_bits(x0, y0), Vertex::from_bits(x1, y1));
-                    black_box((rectangle::pixels(v, w), v.pixel(), Vertex::px(x0, y0)));
-                    black_box(Vertex::centre_of(Point::new(x1, y1)));
+                    let (v, w) = (PointFx::from_bits(x0, y0), PointFx::from_bits(x1, y1));
+                    black_box((rectangle::pixels(v, w), v.pixel(), PointFx::px(x0, y0)));
+                    black_box(PointFx::centre_of(Point::new(x1, y1)));
                 }
             }
         }
@@ -192,7 +192,7 @@ fn triangles() {
     for _ in 0..100_000 {
         let (a, y) = (wild(&mut rng), wild(&mut rng));
         let corners =
-            [(); 3].map(|()| Vertex::from_bits(a.saturating_add(rng.int(0, 900)), y.saturating_add(rng.int(0, 600))));
+            [(); 3].map(|()| PointFx::from_bits(a.saturating_add(rng.int(0, 900)), y.saturating_add(rng.int(0, 600))));
         let window = wild_rect(&mut rng);
         triangle::fill(corners, window, look);
         triangle::walk(corners, window, look);
@@ -263,9 +263,9 @@ fn round_shapes_in_windows_without_end() {
 fn polygons() {
     let mut rng = Rng::new(113);
     for _ in 0..150_000 {
-        let outline: Vec<Vertex> = (0..rng.index(12)).map(|_| wild_vertex(&mut rng)).collect();
+        let outline: Vec<PointFx> = (0..rng.index(12)).map(|_| wild_vertex(&mut rng)).collect();
         let (first, second) = outline.split_at(rng.index(outline.len() + 1));
-        let mut table = vec![Edge::EMPTY; rng.index(14)];
+        let mut table = vec![EdgeSlot::EMPTY; rng.index(14)];
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
         let window = small_window(&mut rng);
         if let Err(error) = polygon::fill([first, second], rule, window, &mut table, look) {
@@ -299,7 +299,7 @@ fn paths_and_strokes() {
     for i in 0..20_000 {
         let segments = wild_path(&mut rng);
         let (path, window) = (Path::new(&segments), small_window(&mut rng));
-        let mut table = vec![Edge::EMPTY; rng.index(40)];
+        let mut table = vec![EdgeSlot::EMPTY; rng.index(40)];
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
         black_box(polygon::fill(path.contours_in(window), rule, window, &mut table, look).is_ok());
         outline::draw(path, window, look);
@@ -322,12 +322,12 @@ fn polygons_without_a_window() {
     for _ in 0..20_000 {
         let (x, y) = (wild(&mut rng), wild(&mut rng));
         let near = |n: i32, rng: &mut Rng| n.saturating_add(rng.int(-2_000, 2_000));
-        let outline: Vec<Vertex> = (0..9).map(|_| Vertex::from_bits(near(x, &mut rng), near(y, &mut rng))).collect();
-        let mut table = vec![Edge::EMPTY; rng.index(10)];
+        let outline: Vec<PointFx> = (0..9).map(|_| PointFx::from_bits(near(x, &mut rng), near(y, &mut rng))).collect();
+        let mut table = vec![EdgeSlot::EMPTY; rng.index(10)];
         black_box(polygon::fill([&outline], FillRule::EvenOdd, everything, &mut table, look).is_ok());
     }
     // Rows without end, and no slot at all.
-    let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| Vertex::from_bits(x, y));
+    let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| PointFx::from_bits(x, y));
     assert!(polygon::fill([&huge], FillRule::EvenOdd, everything, &mut [], look).is_err(), "no slots");
 }
 
@@ -335,7 +335,7 @@ fn polygons_without_a_window() {
 fn polygon_tools() {
     let mut rng = Rng::new(115);
     for _ in 0..100_000 {
-        let outline: Vec<Vertex> = (0..rng.index(9)).map(|_| wild_vertex(&mut rng)).collect();
+        let outline: Vec<PointFx> = (0..rng.index(9)).map(|_| wild_vertex(&mut rng)).collect();
         black_box((is_convex(&outline), twice_area(&outline), orientation(&outline)));
         black_box(contains([&outline], FillRule::NonZero, wild_vertex(&mut rng)));
         let [a, b, c, d] = [(); 4].map(|()| wild_vertex(&mut rng));
@@ -352,11 +352,11 @@ fn triangulations() {
     let mut rng = Rng::new(116);
     for _ in 0..60_000 {
         let coarse = rng.one_in(2);
-        let place = |rng: &mut Rng| if coarse { Vertex::px(rng.int(0, 3), rng.int(0, 3)) } else { wild_vertex(rng) };
-        let vertices: Vec<Vertex> = (0..rng.index(12)).map(|_| place(&mut rng)).collect();
+        let place = |rng: &mut Rng| if coarse { PointFx::px(rng.int(0, 3), rng.int(0, 3)) } else { wild_vertex(rng) };
+        let vertices: Vec<PointFx> = (0..rng.index(12)).map(|_| place(&mut rng)).collect();
         let starts: Vec<u16> =
             (0..rng.index(4)).map(|_| if rng.one_in(9) { wild_u16(&mut rng) } else { rng.below(13) as u16 }).collect();
-        let mut nodes = vec![Node::EMPTY; rng.index(60)];
+        let mut nodes = vec![SideSlot::EMPTY; rng.index(60)];
         let mut triangles = vec![[0; 3]; rng.index(40)];
         match triangulate::list(&vertices, &starts, &mut nodes, &mut triangles) {
             Ok(count) => triangles.truncate(count),
@@ -423,8 +423,8 @@ fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
     surface.fill_sector(wild_ellipse(rng), wild_sector(rng), color);
     surface.fill_ring(wild_ellipse(rng), wild_ellipse(rng), color);
     surface.fill_ring_sector(wild_ellipse(rng), wild_ellipse(rng), wild_sector(rng), color);
-    let outline: Vec<Vertex> = (0..rng.index(9)).map(|_| wild_vertex(rng)).collect();
-    let mut table = vec![Edge::EMPTY; rng.index(9)];
+    let outline: Vec<PointFx> = (0..rng.index(9)).map(|_| wild_vertex(rng)).collect();
+    let mut table = vec![EdgeSlot::EMPTY; rng.index(9)];
     black_box(surface.fill_polygon(&outline, FillRule::NonZero, &mut table, color).is_ok());
     black_box(surface.fill_contours([&outline, &outline], FillRule::EvenOdd, &mut table, color).is_ok());
     if rng.one_in(40) {
@@ -460,9 +460,9 @@ fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>
     frame.move_area(wild_rect(rng), wild_point(rng));
     frame.move_area_keyed(wild_rect(rng), wild_point(rng), key);
     frame.set(wild_point(rng), key);
-    let mut table = vec![Pending::EMPTY; rng.index(4)];
-    frame.flood_fill(Point::new(rng.int(-1, 17), rng.int(-1, 17)), Reach::Corners, key, &mut table);
-    frame.flood_fill_to(wild_point(rng), key, Reach::Sides, key, &mut table);
+    let mut table = vec![FloodSlot::EMPTY; rng.index(4)];
+    frame.flood_fill(Point::new(rng.int(-1, 17), rng.int(-1, 17)), Connectivity::Corners, key, &mut table);
+    frame.flood_fill_to(wild_point(rng), key, Connectivity::Sides, key, &mut table);
     frame.clear(key);
 }
 

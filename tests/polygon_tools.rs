@@ -17,7 +17,7 @@ use embedded_raster::{
         Viewport,
     },
     raster::polygon,
-    Edge, FillRule, Rect, Vertex,
+    EdgeSlot, FillRule, PointFx, Rect,
 };
 use fixed::types::I16F16;
 use support::{
@@ -129,16 +129,16 @@ fn places_in_polygons() {
         let n = 2 + rng.index(9);
         let all = outline(&mut rng, Scale::ALL[i % 4], n);
         let contours = [all[..n / 2].to_vec(), all[n / 2..].to_vec()];
-        let places: Vec<Vec<Vertex>> = contours.iter().map(|c| vertices(c)).collect();
+        let places: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
         // Pixels whose centres are places.
         let window = window_on(&mut rng, &all).intersection(Rect::new(-1 << 23, -1 << 23, 1 << 23, 1 << 23));
         for rule in [FillRule::NonZero, FillRule::EvenOdd] {
             // Centres of pixels: what the filler paints.
-            let mut table = vec![Edge::EMPTY; n];
+            let mut table = vec![EdgeSlot::EMPTY; n];
             let painted = collect(window, |emit| {
                 polygon::fill(&places, rule, window, &mut table, emit).expect("a slot for every side");
             });
-            let found = runs_where(window, |x, y| contains(&places, rule, Vertex::centre_of(Point::new(x, y))));
+            let found = runs_where(window, |x, y| contains(&places, rule, PointFx::centre_of(Point::new(x, y))));
             assert_runs(window, &found, &painted, || format!("{rule:?} {contours:?}"));
             // Any other place: anywhere, at vertices, beside them.
             for _ in 0..10 {
@@ -151,7 +151,7 @@ fn places_in_polygons() {
                 };
                 let wanted = contains_twin(&contours, rule, at);
                 assert_eq!(
-                    contains(&places, rule, Vertex::from_bits(at.0, at.1)),
+                    contains(&places, rule, PointFx::from_bits(at.0, at.1)),
                     wanted,
                     "{at:?} {rule:?} {contours:?}"
                 );
@@ -183,7 +183,7 @@ fn clipped_segments() {
             3 => ends[rng.index(2)] = area[0],
             _ => {}
         }
-        let [a, b, p, q] = [ends[0], ends[1], area[0], area[1]].map(|(x, y)| Vertex::from_bits(x, y));
+        let [a, b, p, q] = [ends[0], ends[1], area[0], area[1]].map(|(x, y)| PointFx::from_bits(x, y));
         let got = clip::segment(a, b, [p, q]);
         let wanted = clip_twin(ends, area);
         assert_eq!(got.is_some(), wanted.is_some(), "{ends:?} in {area:?}");
@@ -192,7 +192,7 @@ fn clipped_segments() {
             let at = got.at[k];
             assert_eq!(i128::from(at.number) * t.1, t.0 * i128::from(at.of.get()), "{ends:?} in {area:?}: end {k}");
             let ((ax, ay), (bx, by)) = (wide(ends[0]), wide(ends[1]));
-            let place = Vertex::from_bits(t.nearest(ax, bx), t.nearest(ay, by));
+            let place = PointFx::from_bits(t.nearest(ax, bx), t.nearest(ay, by));
             assert_eq!(got.ends[k], place, "{ends:?} in {area:?}: end {k}");
         }
         // The other way, the same ends; and nothing is left to clip.
@@ -224,8 +224,8 @@ fn viewports() {
         let (low, high) = ([number(), number()], [number(), number()]);
         let area = Rect::new(number(), number(), number() >> 8, number() >> 12);
         let mut view = Viewport::from_bits(low, high, area);
-        let units = |v: Vertex| (v.x.to_bits(), v.y.to_bits());
-        let (upper, lower) = (units(Vertex::px(area.x0, area.y0)), units(Vertex::px(area.x1, area.y1)));
+        let units = |v: PointFx| (v.x.to_bits(), v.y.to_bits());
+        let (upper, lower) = (units(PointFx::px(area.x0, area.y0)), units(PointFx::px(area.x1, area.y1)));
         let (screen_x, mut screen_y) = ((upper.0, lower.0), (upper.1, lower.1));
         if rng.one_in(2) {
             (view, screen_y) = (view.with_y_up(), (screen_y.1, screen_y.0));
@@ -236,7 +236,7 @@ fn viewports() {
             let vertex = units(view.vertex_from_bits([x, y]));
             let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
             assert_eq!(vertex, wanted, "({x}, {y}) in {view:?}");
-            let place = view.place_bits(Vertex::from_bits(x, y));
+            let place = view.place_bits(PointFx::from_bits(x, y));
             let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
             assert_eq!(place, wanted, "back from ({x}, {y}) in {view:?}");
             // Order is kept: the next number is not on the other side.
@@ -262,21 +262,21 @@ fn viewports() {
 fn the_unit_square_on_a_screen() {
     let one = I16F16::ONE;
     let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240));
-    assert_eq!(view.vertex(-one, -one), Vertex::px(0, 0));
-    assert_eq!(view.vertex(one, one), Vertex::px(320, 240));
+    assert_eq!(view.vertex(-one, -one), PointFx::px(0, 0));
+    assert_eq!(view.vertex(one, one), PointFx::px(320, 240));
     let up = view.with_y_up();
-    assert_eq!(up.vertex(-one, -one), Vertex::px(0, 240));
-    assert_eq!(up.vertex(one, one), Vertex::px(320, 0));
+    assert_eq!(up.vertex(-one, -one), PointFx::px(0, 240));
+    assert_eq!(up.vertex(one, one), PointFx::px(320, 0));
     assert_eq!(up.with_y_up(), view);
     for x in -3..330 {
         for y in [-9, 0, 1, 119, 240, 300] {
-            let at = Vertex::px(x, y);
+            let at = PointFx::px(x, y);
             let [px, py] = up.place(at);
             assert_eq!(up.vertex(px, py), at);
         }
     }
-    assert_eq!(up.vertex(I16F16::MAX, I16F16::MIN), Vertex::from_bits(1_342_218_239, 1_006_663_680));
+    assert_eq!(up.vertex(I16F16::MAX, I16F16::MIN), PointFx::from_bits(1_342_218_239, 1_006_663_680));
     let largest = Rect::new(i32::MIN, 0, i32::MAX, 1);
     let far = Viewport::new([-one, -one], [one, one], largest).vertex(I16F16::MAX, one);
-    assert_eq!(far, Vertex::from_bits(i32::MAX, 256), "it stops at the end");
+    assert_eq!(far, PointFx::from_bits(i32::MAX, 256), "it stops at the end");
 }

@@ -16,10 +16,10 @@ use embedded_raster::{
     geom::{
         delaunay,
         exact::{in_circle, turn},
-        triangulate::{self, Node},
+        triangulate::{self, SideSlot},
     },
     raster::{polygon, triangle},
-    Edge, Error, FillRule, Rect, Vertex,
+    EdgeSlot, Error, FillRule, PointFx, Rect,
 };
 use embedded_raster_simulator::world::{Map, Place, Projection, Screen, World};
 use support::{
@@ -213,7 +213,7 @@ fn any_coordinates() {
 #[test]
 fn crossings_are_named() {
     let each = |units: &[Units], starts: &[u16]| {
-        let mut nodes = vec![Node::EMPTY; 50];
+        let mut nodes = vec![SideSlot::EMPTY; 50];
         triangulate::each(&vertices(units), starts, &mut nodes, |t| panic!("{t:?} was emitted"))
     };
     let bow_tie = [(0, 0), (9, 9), (9, 0), (0, 9)];
@@ -245,9 +245,9 @@ fn scratch_of_every_size() {
         let (units, starts) = flat(&contours);
         let (places, needed) = (vertices(&units), nodes(&contours));
         let mut wanted = vec![];
-        triangulate::each(&places, &starts, &mut vec![Node::EMPTY; needed], |t| wanted.push(t)).expect("enough");
+        triangulate::each(&places, &starts, &mut vec![SideSlot::EMPTY; needed], |t| wanted.push(t)).expect("enough");
         for capacity in 0..needed + 2 {
-            let mut scratch = vec![Node::EMPTY; capacity];
+            let mut scratch = vec![SideSlot::EMPTY; capacity];
             let mut got = vec![];
             let result = triangulate::each(&places, &starts, &mut scratch, |t| got.push(t));
             if capacity < needed {
@@ -259,11 +259,11 @@ fn scratch_of_every_size() {
             }
         }
         for capacity in 0..needed.saturating_sub(2) {
-            let (mut scratch, mut table) = (vec![Node::EMPTY; needed], vec![[7; 3]; capacity]);
+            let (mut scratch, mut table) = (vec![SideSlot::EMPTY; needed], vec![[7; 3]; capacity]);
             let result = triangulate::list(&places, &starts, &mut scratch, &mut table);
             assert_eq!(result, Err(Error::TriangleTableFull { capacity, needed: needed - 2 }), "{contours:?}");
             assert!(table.iter().all(|&t| t == [7; 3]), "something was written");
-            assert!(scratch.iter().all(|&n| n == Node::EMPTY), "something was written");
+            assert!(scratch.iter().all(|&n| n == SideSlot::EMPTY), "something was written");
         }
         let mut triangles = wanted.clone();
         if let Some(less) = triangles.len().checked_sub(1) {
@@ -281,7 +281,7 @@ fn scratch_of_every_size() {
 fn strange_starts() {
     let square = vertices(&[(0, 0), (900, 0), (900, 900), (0, 900)]);
     for starts in [&[0_u16][..], &[4], &[9], &[0, 0, 0], &[4, 1], &[65_535, 2]] {
-        let mut nodes = vec![Node::EMPTY; 20];
+        let mut nodes = vec![SideSlot::EMPTY; 20];
         let mut count = 0;
         triangulate::each(&square, starts, &mut nodes, |_| count += 1).expect("enough nodes");
         assert_eq!(count, 2, "{starts:?}");
@@ -294,7 +294,7 @@ fn predicates_are_exact_up_to_the_ends_of_the_type() {
     let mut ties = 0;
     let mut compare = |places: [Units; 4]| {
         let [a, b, c, d] = places;
-        let [va, vb, vc, vd] = places.map(|(x, y)| Vertex::from_bits(x, y));
+        let [va, vb, vc, vd] = places.map(|(x, y)| PointFx::from_bits(x, y));
         assert_eq!(turn(va, vb, vc), twice_area(a, b, c).cmp(&0), "{places:?}");
         let wanted = determinant(a, b, c, d).cmp(&Wide::ZERO);
         assert_eq!(in_circle(va, vb, vc, vd), wanted, "{places:?}");
@@ -351,12 +351,12 @@ fn the_whole_world() {
     let rings: Vec<Vec<Units>> = all.flat_map(|(_, rings)| rings).collect();
     let (units, starts) = flat(&rings);
     let places = vertices(&units);
-    let mut scratch = vec![Node::EMPTY; 12_000];
+    let mut scratch = vec![SideSlot::EMPTY; 12_000];
     let mut triangles = vec![];
     triangulate::each(&places, &starts, &mut scratch, |t| triangles.push(t)).expect("borders do not cross");
     check_mesh(&units, &triangles, &|| "the world".into());
     let window = bounds(&rings);
-    let mut table = vec![Edge::EMPTY; places.len()];
+    let mut table = vec![EdgeSlot::EMPTY; places.len()];
     let wanted = collect(window, |emit| {
         let contours = rings.iter().map(|ring| vertices(ring)).collect::<Vec<_>>();
         polygon::fill(&contours, FillRule::EvenOdd, window, &mut table, emit).expect("a slot for every side");

@@ -2,8 +2,8 @@
 
 use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
 use embedded_raster::{
-    buffer_bytes, Canvas, ClippedSpan, Edge, Error, FillRule, Framebuffer, Index1, Index4, Index8, PixelFormat, Rect,
-    Surface, Vertex,
+    buffer_bytes, Canvas, ClippedSpan, EdgeSlot, Error, FillRule, Framebuffer, Index1, Index4, Index8, PixelFormat,
+    PointFx, Rect, Surface,
 };
 use embedded_raster_simulator::world::{Depth, Layer, Map, Place, Projection, Screen, World};
 
@@ -33,14 +33,14 @@ impl Tally {
         Self { window, times: vec![0; (window.width() * window.height()) as usize] }
     }
 
-    fn of(world: &World, rings: &[&[Vertex]], rule: FillRule) -> Self {
+    fn of(world: &World, rings: &[&[PointFx]], rule: FillRule) -> Self {
         let mut tally = Self::new(world);
         tally.add(rings, rule);
         tally
     }
 
-    fn add(&mut self, rings: &[&[Vertex]], rule: FillRule) {
-        let mut table = vec![Edge::EMPTY; ALL_EDGES];
+    fn add(&mut self, rings: &[&[PointFx]], rule: FillRule) {
+        let mut table = vec![EdgeSlot::EMPTY; ALL_EDGES];
         self.fill_contours(rings.iter().copied(), rule, &mut table, BinaryColor::On)
             .expect("the table is large enough");
     }
@@ -64,7 +64,7 @@ impl Surface for Tally {
     }
 }
 
-fn rings(country: &[Vec<Vertex>]) -> Vec<&[Vertex]> {
+fn rings(country: &[Vec<PointFx>]) -> Vec<&[PointFx]> {
     country.iter().map(Vec::as_slice).collect()
 }
 
@@ -88,7 +88,7 @@ fn every_land_pixel_belongs_to_one_country() {
             assert_eq!(differing, 0, "pixels by {rule:?} on {screen:?}");
         }
         let land = owners.times.iter().copied().map(u64::from).sum::<u64>();
-        let mut table = vec![Edge::EMPTY; ALL_EDGES];
+        let mut table = vec![EdgeSlot::EMPTY; ALL_EDGES];
         let areas = world.areas(&mut table).expect("the table is large enough");
         assert_eq!(areas.iter().sum::<u64>(), land, "the sum of the areas on {screen:?}");
         assert!(world.globe(&mut table).expect("the table is large enough") > land, "sea is left on {screen:?}");
@@ -103,7 +103,8 @@ fn an_enclave_and_a_lake() {
         let world = World::new(&map, screen);
         let owners_of = |lon, lat| {
             let pixel = screen.vertex(Place { lon, lat }).pixel();
-            let owns = |country: &Vec<Vec<Vertex>>| Tally::of(&world, &rings(country), FillRule::EvenOdd).at(pixel) > 0;
+            let owns =
+                |country: &Vec<Vec<PointFx>>| Tally::of(&world, &rings(country), FillRule::EvenOdd).at(pixel) > 0;
             let all = world.countries().iter().enumerate();
             all.filter(|(_, country)| owns(country)).map(|(i, _)| i).collect::<Vec<_>>()
         };
@@ -119,7 +120,7 @@ fn whole<C: Depth>(world: &World, layer: Layer, edges: usize) -> Result<Vec<u8>,
     let (width, height) = (u16::try_from(x1).expect("a screen"), u16::try_from(y1).expect("a screen"));
     let mut ram = vec![0; buffer_bytes::<C>(width, height)];
     let mut frame = Framebuffer::<C>::new(&mut ram, width, height)?;
-    world.draw(&mut frame, &mut vec![Edge::EMPTY; edges], layer, C::ink)?;
+    world.draw(&mut frame, &mut vec![EdgeSlot::EMPTY; edges], layer, C::ink)?;
     Ok(ram)
 }
 
@@ -128,7 +129,7 @@ fn banded<C: Depth>(world: &World, layer: Layer, rows: u16, edges: usize) -> Res
     let Rect { x1, y1, .. } = world.window();
     let (width, height) = (u16::try_from(x1).expect("a screen"), u16::try_from(y1).expect("a screen"));
     let mut ram = vec![0; buffer_bytes::<C>(width, rows)];
-    let mut table = vec![Edge::EMPTY; edges];
+    let mut table = vec![EdgeSlot::EMPTY; edges];
     let mut sent = vec![];
     for start in (0..height).step_by(rows.into()) {
         let band = start..height.min(start + rows);
@@ -185,7 +186,7 @@ fn a_country_that_fails_paints_nothing() {
     for (country, Place { lon, lat }) in world.countries().iter().zip(map.countries.iter().map(|c| c.rings[0][0])) {
         for edges in 0..40 {
             let mut tally = Tally::new(&world);
-            let mut table = vec![Edge::EMPTY; edges];
+            let mut table = vec![EdgeSlot::EMPTY; edges];
             if tally.fill_contours(country, FillRule::EvenOdd, &mut table, BinaryColor::On).is_ok() {
                 break;
             }

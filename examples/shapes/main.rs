@@ -9,8 +9,8 @@ use std::{error::Error, process::ExitCode};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
-    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, raster::flood::Pending, Edge, Framebuffer, Index1, Index2, Index4,
-    Index8, Palette, PixelFormat,
+    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, raster::flood::FloodSlot, EdgeSlot, Framebuffer, Index1, Index2,
+    Index4, Index8, Palette, PixelFormat,
 };
 use embedded_raster_simulator::Picture;
 use page::{Ink, EDGES, HEIGHT, WIDTH};
@@ -61,7 +61,10 @@ fn run() -> Result<(), Box<dyn Error>> {
     };
     picture.write_png("shapes.png")?;
     print!("{}", picture.preview(100));
-    println!("shapes.png: {WIDTH} x {HEIGHT} at {bits} bits per pixel, {EDGES} edges of {} bytes", size_of::<Edge>());
+    println!(
+        "shapes.png: {WIDTH} x {HEIGHT} at {bits} bits per pixel, {EDGES} edges of {} bytes",
+        size_of::<EdgeSlot>()
+    );
     Ok(())
 }
 
@@ -70,12 +73,12 @@ fn drawn<C>(band: Option<u16>, ink: impl Fn(Ink) -> C) -> Result<Vec<u8>, embedd
 where
     C: PixelFormat<Color = C>,
 {
-    let mut table = [Edge::EMPTY; EDGES];
+    let mut table = [EdgeSlot::EMPTY; EDGES];
     let mut screen = vec![0; buffer_bytes::<C>(WIDTH, HEIGHT)];
     let Some(rows) = band else {
         let mut frame = Framebuffer::<C>::new(&mut screen, WIDTH, HEIGHT)?;
         page::draw(&mut frame, &mut table, &ink)?;
-        page::pour(&mut frame, &mut [Pending::EMPTY; 16], &ink)?;
+        page::pour(&mut frame, &mut [FloodSlot::EMPTY; 16], &ink)?;
         return Ok(screen);
     };
     let mut ram = vec![0; buffer_bytes::<C>(WIDTH, rows)];
@@ -121,7 +124,7 @@ mod tests {
     /// Bands of any height show the page, but for what is poured.
     #[test]
     fn bands_are_the_whole() {
-        let mut table = [Edge::EMPTY; EDGES];
+        let mut table = [EdgeSlot::EMPTY; EDGES];
         let mut whole = vec![0; buffer_bytes::<Index4>(WIDTH, HEIGHT)];
         let mut frame = Framebuffer::<Index4>::new(&mut whole, WIDTH, HEIGHT).unwrap();
         page::draw(&mut frame, &mut table, index::<Index4>).unwrap();

@@ -9,11 +9,11 @@
 
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
-    geom::{delaunay, triangulate, triangulate::Node},
-    raster::flood::{Pending, Reach},
-    Angle, Bitmap, Canvas, Cap, Edge, Ellipse, Error, FillRule, Framebuffer, Index1, Join, Path, PathSegment,
+    geom::{delaunay, triangulate, triangulate::SideSlot},
+    raster::flood::{Connectivity, FloodSlot},
+    Angle, Bitmap, Canvas, Cap, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, Join, Path, PathSegment,
     PathSegment::{Close, CubicTo, LineTo, MoveTo, QuadraticTo},
-    PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
+    PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
 use fixed::types::I24F8;
 
@@ -34,7 +34,7 @@ pub type Ink = u8;
 ///
 /// # Errors
 /// [`Error::EdgeTableFull`] if `table` is shorter than a row of the page needs.
-pub fn draw<S: Surface>(page: &mut S, table: &mut [Edge], ink: impl Fn(Ink) -> S::Color) -> Result<(), Error> {
+pub fn draw<S: Surface>(page: &mut S, table: &mut [EdgeSlot], ink: impl Fn(Ink) -> S::Color) -> Result<(), Error> {
     page.fill_window(ink(0));
     for (i, tile) in TILES.iter().enumerate() {
         let i = i as i32;
@@ -71,13 +71,13 @@ pub fn draw<S: Surface>(page: &mut S, table: &mut [Edge], ink: impl Fn(Ink) -> S
 /// None, as the glyphs are as long as they say.
 pub fn pour<F: PixelFormat>(
     page: &mut Framebuffer<'_, F>,
-    table: &mut [Pending],
+    table: &mut [FloodSlot],
     ink: impl Fn(Ink) -> F::Color,
 ) -> Result<(), Error> {
     let (x, y) = (4 * TILE.0, 3 * TILE.1);
-    page.flood_fill(Point::new(x + 32, y + 4), Reach::Sides, ink(4), table);
+    page.flood_fill(Point::new(x + 32, y + 4), Connectivity::Sides, ink(4), table);
     // The pixels of an outline are connected by their corners.
-    page.flood_fill(Point::new(x + 32, y + 2), Reach::Corners, ink(1), table);
+    page.flood_fill(Point::new(x + 32, y + 2), Connectivity::Corners, ink(1), table);
     let arrow = Bitmap::<Index1>::new(&[0x08, 0x0c, 0xfe, 0xff, 0xfe, 0x0c, 0x08], 8, 7)?;
     page.blit_mask(Point::new(x + 26, y + 27), &arrow, ink(2), None);
     Ok(())
@@ -116,7 +116,7 @@ const TILES: [Tile; 20] = [
 /// Draws in a tile: all places count from its corner.
 struct Pen<'a, S, I> {
     page: &'a mut S,
-    table: &'a mut [Edge],
+    table: &'a mut [EdgeSlot],
     ink: &'a I,
     at: (i32, i32),
 }
@@ -131,11 +131,11 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     }
 
     /// A place in quarters of a pixel.
-    fn place(&self, (x, y): (i32, i32)) -> Vertex {
-        Vertex::from_bits((self.at.0 << 8) + (x << 6), (self.at.1 << 8) + (y << 6))
+    fn place(&self, (x, y): (i32, i32)) -> PointFx {
+        PointFx::from_bits((self.at.0 << 8) + (x << 6), (self.at.1 << 8) + (y << 6))
     }
 
-    fn places<const N: usize>(&self, places: [(i32, i32); N]) -> [Vertex; N] {
+    fn places<const N: usize>(&self, places: [(i32, i32); N]) -> [PointFx; N] {
         places.map(|place| self.place(place))
     }
 
@@ -145,7 +145,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
 
     /// The same path with its corner at the tile's, in quarters of a pixel.
     fn path<const N: usize>(&self, segments: [PathSegment; N]) -> [PathSegment; N] {
-        let here = |v: Vertex| self.place((v.x.to_bits(), v.y.to_bits()));
+        let here = |v: PointFx| self.place((v.x.to_bits(), v.y.to_bits()));
         segments.map(|segment| match segment {
             MoveTo(a) => MoveTo(here(a)),
             LineTo(a) => LineTo(here(a)),
@@ -251,7 +251,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let outer = self.places([(20, 30), (236, 14), (220, 220), (120, 170), (24, 226)]);
         let window = self.places([(60, 50), (110, 50), (110, 110), (60, 110)]);
         let other = self.places([(140, 60), (200, 90), (150, 140)]);
-        let contours: [&[Vertex]; 3] = [&outer, &window, &other];
+        let contours: [&[PointFx]; 3] = [&outer, &window, &other];
         let color = self.ink(5);
         self.page.fill_contours(contours.iter().map(|c| c.iter()), FillRule::EvenOdd, self.table, color)
     }
@@ -276,7 +276,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     }
 
     fn heart(&mut self) -> Result<(), Error> {
-        let v = Vertex::from_bits;
+        let v = PointFx::from_bits;
         let heart = self.path([
             MoveTo(v(128, 220)),
             CubicTo(v(-40, 110), v(40, -20), v(128, 60)),
@@ -310,7 +310,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     }
 
     fn dashes(&mut self) -> Result<(), Error> {
-        let v = Vertex::from_bits;
+        let v = PointFx::from_bits;
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
         let pattern = [9, 5, 2, 5].map(|n| I24F8::from_bits(n << 8));
         let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, I24F8::ZERO);
@@ -325,7 +325,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let (outer, inner) = (rim(4 * 28), rim(4 * 11));
         let at = |(x, y): (i32, i32)| self.place((128 + x, 120 + y));
         let vertices = core::array::from_fn::<_, 24, _>(|i| at(if i < 16 { outer[i] } else { inner[(i - 16) * 2] }));
-        let (mut nodes, mut triangles) = ([Node::EMPTY; 26], [[0; 3]; 24]);
+        let (mut nodes, mut triangles) = ([SideSlot::EMPTY; 26], [[0; 3]; 24]);
         let count = triangulate::list(&vertices, &[16], &mut nodes, &mut triangles)?;
         delaunay::refine(&vertices, &mut triangles[..count], &mut [[0; 3]; 24])?;
         for (i, triangle) in triangles[..count].iter().enumerate() {

@@ -6,7 +6,7 @@ mod input;
 mod support;
 
 use embedded_graphics_core::geometry::Point;
-use embedded_raster::raster::flood::{fill, Pending, Reach};
+use embedded_raster::raster::flood::{fill, Connectivity, FloodSlot};
 use input::Input;
 use libfuzzer_sys::fuzz_target;
 use support::letters::Letters;
@@ -15,7 +15,7 @@ fuzz_target!(|data: &[u8]| {
     let mut input = Input(data);
     let (size, capacity, choice) = (input.byte(), input.byte() % 12, input.byte());
     let (width, height) = (i32::from(size & 15) + 1, i32::from(size >> 4) + 1);
-    let reach = if choice & 1 == 0 { Reach::Sides } else { Reach::Corners };
+    let reach = if choice & 1 == 0 { Connectivity::Sides } else { Connectivity::Corners };
     let seed = (i32::from(input.byte()) % width, i32::from(input.byte()) % height);
     // What is open is 0 or 1.
     let mut bits = 0;
@@ -26,7 +26,7 @@ fuzz_target!(|data: &[u8]| {
         bits >> (i % 8) & 1 == u8::from(choice & 2 != 0)
     });
     let mut got = picture.clone();
-    fill(&mut got, Point::new(seed.0, seed.1), reach, &mut vec![Pending::EMPTY; capacity.into()]);
+    fill(&mut got, Point::new(seed.0, seed.1), reach, &mut vec![FloodSlot::EMPTY; capacity.into()]);
     let wanted = picture.flooded(seed, reach);
     assert!(
         got == wanted,

@@ -7,7 +7,7 @@ mod support;
 
 use embedded_raster::{
     raster::{outline, polygon},
-    Cap, Edge, FillRule, Join, Path, Rect, Stroke,
+    Cap, EdgeSlot, FillRule, Join, Path, Rect, Stroke,
 };
 use fixed::types::I24F8;
 use input::Input;
@@ -94,10 +94,10 @@ fn filled<C>(contours: C, rule: FillRule, window: Rect) -> Vec<Run>
 where
     C: IntoIterator + Clone,
     C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: core::borrow::Borrow<embedded_raster::Vertex>,
+    <C::Item as IntoIterator>::Item: core::borrow::Borrow<embedded_raster::PointFx>,
 {
     let count = contours.clone().into_iter().map(|c| c.into_iter().count()).sum();
-    let mut table = vec![Edge::EMPTY; count];
+    let mut table = vec![EdgeSlot::EMPTY; count];
     collect(window, |emit| polygon::fill(contours, rule, window, &mut table, emit).expect("enough slots"))
 }
 

@@ -5,7 +5,7 @@ mod input;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 
-use embedded_raster::{raster::polygon, Edge, Error, FillRule};
+use embedded_raster::{raster::polygon, EdgeSlot, Error, FillRule};
 use libfuzzer_sys::fuzz_target;
 use support::{assert_runs, collect, twins, vertices, Units};
 
@@ -24,7 +24,7 @@ fuzz_target!(|data: &[u8]| {
         }
     }
     let outlines: Vec<_> = contours.iter().map(|c| vertices(c)).collect();
-    let mut table = vec![Edge::EMPTY; capacity];
+    let mut table = vec![EdgeSlot::EMPTY; capacity];
     let mut result = Ok(());
     let runs = collect(window, |emit| {
         result = polygon::fill(outlines.iter(), rule, window, &mut table, emit);

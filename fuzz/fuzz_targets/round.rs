@@ -7,7 +7,7 @@ mod support;
 
 use embedded_raster::{
     raster::{arc, ellipse, rounded},
-    Angle, Ellipse, Radii, Rect, Sector, Vertex,
+    Angle, Ellipse, PointFx, Radii, Rect, Sector,
 };
 use fixed::types::I24F8;
 use input::Input;
@@ -45,7 +45,7 @@ fn boxes(input: &mut Input<'_>, window: Rect) {
 fn places(input: &mut Input<'_>, window: Rect) {
     let (x, y) = input.place_near(window);
     let (rx, ry) = (input.near(0, 67), input.near(0, 67));
-    let (at, wide) = (Vertex::from_bits(x, y), (i64::from(x), i64::from(y)));
+    let (at, wide) = (PointFx::from_bits(x, y), (i64::from(x), i64::from(y)));
     let shape = Ellipse::new(at, I24F8::from_bits(rx), I24F8::from_bits(ry));
     let got = collect(window, |emit| ellipse::fill(shape, window, emit));
     let wanted = runs_where(window, |x, y| twins::ellipse_has(wide, (rx.into(), ry.into()), 256, x, y));

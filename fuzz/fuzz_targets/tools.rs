@@ -8,7 +8,7 @@ mod support;
 
 use embedded_raster::{
     geom::{clip, exact, polygon, Viewport},
-    FillRule, Rect, Vertex,
+    FillRule, PointFx, Rect,
 };
 use input::Input;
 use libfuzzer_sys::fuzz_target;
@@ -48,7 +48,7 @@ fn polygons(input: &mut Input<'_>, window: Rect) {
         }
     }
     check(&contours, window);
-    let places: Vec<Vec<Vertex>> = contours.iter().map(|c| vertices(c)).collect();
+    let places: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
     for (contour, vertices) in contours.iter().zip(&places) {
         assert_eq!(polygon::is_convex(vertices), convex_twin(contour), "{contour:?}");
         let area: i128 = twins::sides(std::slice::from_ref(contour))
@@ -58,14 +58,14 @@ fn polygons(input: &mut Input<'_>, window: Rect) {
         assert_eq!(polygon::orientation(vertices), area.cmp(&0), "{contour:?}");
     }
     for rule in [FillRule::NonZero, FillRule::EvenOdd] {
-        let got = polygon::contains(&places, rule, Vertex::from_bits(at.0, at.1));
+        let got = polygon::contains(&places, rule, PointFx::from_bits(at.0, at.1));
         assert_eq!(got, contains_twin(&contours, rule, at), "{at:?} {rule:?} {contours:?}");
     }
 }
 
 fn segments(input: &mut Input<'_>, window: Rect) {
     let places = [(); 4].map(|()| input.place_near(window));
-    let [a, b, c, d] = places.map(|(x, y)| Vertex::from_bits(x, y));
+    let [a, b, c, d] = places.map(|(x, y)| PointFx::from_bits(x, y));
     assert_eq!(exact::turn(a, b, c), twins::twice_area(places[0], places[1], places[2]).cmp(&0), "{places:?}");
     let wanted = determinant(places[0], places[1], places[2], places[3]).cmp(&Wide::ZERO);
     assert_eq!(exact::in_circle(a, b, c, d), wanted, "{places:?}");
@@ -78,7 +78,7 @@ fn segments(input: &mut Input<'_>, window: Rect) {
         let at = got.at[k];
         assert_eq!(i128::from(at.number) * t.1, t.0 * i128::from(at.of.get()), "{ends:?} in {area:?}: end {k}");
         let ((ax, ay), (bx, by)) = (wide(ends[0]), wide(ends[1]));
-        let place = Vertex::from_bits(t.nearest(ax, bx), t.nearest(ay, by));
+        let place = PointFx::from_bits(t.nearest(ax, bx), t.nearest(ay, by));
         assert_eq!(got.ends[k], place, "{ends:?} in {area:?}: end {k}");
     }
 }
@@ -87,8 +87,8 @@ fn viewports(input: &mut Input<'_>) {
     let (low, high) = ([input.int(), input.int()], [input.int(), input.int()]);
     let area = Rect::new(input.int(), input.int(), input.int(), input.int());
     let (x, y) = (input.int(), input.int());
-    let units = |v: Vertex| (v.x.to_bits(), v.y.to_bits());
-    let (upper, lower) = (units(Vertex::px(area.x0, area.y0)), units(Vertex::px(area.x1, area.y1)));
+    let units = |v: PointFx| (v.x.to_bits(), v.y.to_bits());
+    let (upper, lower) = (units(PointFx::px(area.x0, area.y0)), units(PointFx::px(area.x1, area.y1)));
     let (mut view, screen_x, mut screen_y) =
         (Viewport::from_bits(low, high, area), (upper.0, lower.0), (upper.1, lower.1));
     if input.byte() & 1 == 0 {
@@ -98,5 +98,5 @@ fn viewports(input: &mut Input<'_>) {
     let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
     assert_eq!(units(view.vertex_from_bits([x, y])), wanted, "({x}, {y}) in {view:?}");
     let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
-    assert_eq!(view.place_bits(Vertex::from_bits(x, y)), wanted, "back from ({x}, {y}) in {view:?}");
+    assert_eq!(view.place_bits(PointFx::from_bits(x, y)), wanted, "back from ({x}, {y}) in {view:?}");
 }

@@ -1,7 +1,7 @@
 //! Shapes, each in the words of every engine: made ready beforehand, so that only drawing is measured.
 
 use embedded_graphics::geometry::Point;
-use embedded_raster::{PathSegment, Rect, Vertex};
+use embedded_raster::{PathSegment, PointFx, Rect};
 use tiny_skia::{Path, PathBuilder};
 
 /// Fractional bits of the true shapes: finer than any engine keeps, and still exact in an `f32` up to 512 pixels.
@@ -24,9 +24,9 @@ pub(crate) fn snap((x, y): Units, bits: u32) -> Units {
 }
 
 /// As the crate takes it, after snapping to so many bits.
-fn vertex(at: Units, bits: u32) -> Vertex {
+fn vertex(at: Units, bits: u32) -> PointFx {
     let (x, y) = snap(at, bits);
-    Vertex::from_bits((x >> (BITS - 8)) as i32, (y >> (BITS - 8)) as i32)
+    PointFx::from_bits((x >> (BITS - 8)) as i32, (y >> (BITS - 8)) as i32)
 }
 
 fn path(corners: &[(f32, f32)]) -> Option<Path> {
@@ -68,9 +68,9 @@ pub(crate) struct Triangle {
     pub(crate) units: [Units; 3],
     pub(crate) floats: [(f32, f32); 3],
     /// Snapped to 0, 4 and 8 bits.
-    pub(crate) whole: [Vertex; 3],
-    pub(crate) sixteenths: [Vertex; 3],
-    pub(crate) vertices: [Vertex; 3],
+    pub(crate) whole: [PointFx; 3],
+    pub(crate) sixteenths: [PointFx; 3],
+    pub(crate) vertices: [PointFx; 3],
     /// The pixels that contain the corners: for an engine that joins pixels.
     pub(crate) pixels: [Point; 3],
     pub(crate) path: Option<Path>,
@@ -111,7 +111,7 @@ impl Triangle {
 pub(crate) struct Polygon {
     pub(crate) units: Vec<Units>,
     pub(crate) floats: Vec<(f32, f32)>,
-    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) vertices: Vec<PointFx>,
     pub(crate) path: Option<Path>,
 }
 
@@ -188,7 +188,7 @@ impl Blob {
 #[derive(Clone, Debug)]
 pub(crate) struct Thick {
     pub(crate) pixels: Vec<Point>,
-    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) vertices: Vec<PointFx>,
     pub(crate) width: u16,
     pub(crate) round: bool,
     pub(crate) path: Option<Path>,
@@ -205,7 +205,7 @@ impl Thick {
                 path.line_to(x, y);
             }
         }
-        let vertices = pixels.iter().map(|&p| Vertex::centre_of(p)).collect();
+        let vertices = pixels.iter().map(|&p| PointFx::centre_of(p)).collect();
         Self { pixels, vertices, width, round, path: path.finish() }
     }
 }

@@ -4,7 +4,7 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
 
 use crate::{
     pixel::PixelFormat,
-    raster::flood::{self, Field, Pending, Reach},
+    raster::flood::{self, Connectivity, FloodSlot, FloodTarget},
     rect::Rect,
     span::ClippedSpan,
     surface::{Framebuffer, Paged, Surface},
@@ -18,14 +18,14 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
     /// long it should be.
     /// ```
     /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
-    /// use embedded_raster::{raster::flood::{Pending, Reach}, Framebuffer};
+    /// use embedded_raster::{raster::flood::{FloodSlot, Connectivity}, Framebuffer};
     /// let mut ram = [0b0010_0000, 0b0101_0000, 0b0010_0000];
     /// let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 8, 3)?;
-    /// frame.flood_fill(Point::new(0, 0), Reach::Sides, BinaryColor::On, &mut [Pending::EMPTY; 8]);
+    /// frame.flood_fill(Point::new(0, 0), Connectivity::Sides, BinaryColor::On, &mut [FloodSlot::EMPTY; 8]);
     /// assert_eq!(ram, [0b1110_0000, 0b1101_0000, 0b1110_0000]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
-    pub fn flood_fill(&mut self, seed: Point, reach: Reach, color: F::Color, table: &mut [Pending]) {
+    pub fn flood_fill(&mut self, seed: Point, reach: Connectivity, color: F::Color, table: &mut [FloodSlot]) {
         let Some(old) = self.get(seed) else { return };
         let (old, new) = (F::pack(old), F::pack(color));
         if old != new {
@@ -42,9 +42,9 @@ impl<F: PixelFormat> Framebuffer<'_, F> {
         &mut self,
         seed: Point,
         boundary: F::Color,
-        reach: Reach,
+        reach: Connectivity,
         color: F::Color,
-        table: &mut [Pending],
+        table: &mut [FloodSlot],
     ) {
         let (boundary, new) = (F::pack(boundary), F::pack(color));
         let mut area = Area { frame: self, color, is_open: |bits| bits != boundary && bits != new };
@@ -59,7 +59,7 @@ struct Area<'f, 'a, F: PixelFormat, P> {
     is_open: P,
 }
 
-impl<F: PixelFormat, P: Fn(u32) -> bool> Field for Area<'_, '_, F, P> {
+impl<F: PixelFormat, P: Fn(u32) -> bool> FloodTarget for Area<'_, '_, F, P> {
     fn window(&self) -> Rect {
         self.frame.window()
     }
@@ -106,7 +106,7 @@ impl<F: PixelFormat, P: Fn(u32) -> bool> Field for Area<'_, '_, F, P> {
 impl<C: PixelColor + PixelFormat<Color = C>> Paged<'_, C> {
     /// Paints the pixels of the seed's colour that are connected with it: as
     /// [`Framebuffer::flood_fill`](Framebuffer::flood_fill).
-    pub fn flood_fill(&mut self, seed: Point, reach: Reach, color: C, table: &mut [Pending]) {
+    pub fn flood_fill(&mut self, seed: Point, reach: Connectivity, color: C, table: &mut [FloodSlot]) {
         let Some(old) = self.get(seed) else { return };
         if old != color {
             flood::fill(&mut Pages { paged: self, old, color }, seed, reach, table);
@@ -121,7 +121,7 @@ struct Pages<'f, 'a, C> {
     color: C,
 }
 
-impl<C: PixelColor + PixelFormat<Color = C>> Field for Pages<'_, '_, C> {
+impl<C: PixelColor + PixelFormat<Color = C>> FloodTarget for Pages<'_, '_, C> {
     fn window(&self) -> Rect {
         self.paged.window()
     }

@@ -21,7 +21,7 @@
 
 use core::num::NonZeroU32;
 
-use super::{bits, Vertex};
+use super::{bits, PointFx};
 use crate::num::round::div_rem_wide;
 
 /// How far along a segment a place lies: `number / of`, from 0 to 1.
@@ -46,9 +46,9 @@ impl Fraction {
 
 /// The part of a segment that lies in a rectangle.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct Clipped {
     /// Its ends, in the direction of the segment, rounded to the nearest unit and never outside.
-    pub ends: [Vertex; 2],
+    pub ends: [PointFx; 2],
     /// Where they are on the segment, exactly.
     pub at: [Fraction; 2],
 }
@@ -59,16 +59,16 @@ pub struct Part {
 /// Coordinates halfway between two units are rounded to the larger one, so `b` to `a` gives the same ends, exchanged. An
 /// end of the segment that lies inside stays as it is.
 /// ```
-/// use embedded_raster::{geom::clip, Vertex};
-/// let corners = [Vertex::px(0, 0), Vertex::px(10, 10)];
-/// let part = clip::segment(Vertex::px(-5, 2), Vertex::px(10, 5), corners).unwrap();
-/// assert_eq!(part.ends, [Vertex::px(0, 3), Vertex::px(10, 5)]);
+/// use embedded_raster::{geom::clip, PointFx};
+/// let corners = [PointFx::px(0, 0), PointFx::px(10, 10)];
+/// let part = clip::segment(PointFx::px(-5, 2), PointFx::px(10, 5), corners).unwrap();
+/// assert_eq!(part.ends, [PointFx::px(0, 3), PointFx::px(10, 5)]);
 /// assert_eq!((part.at[0].number, part.at[0].of.get()), (5 * 256, 15 * 256));
-/// assert_eq!(clip::segment(Vertex::px(-5, 4), Vertex::px(4, -5), corners), None);
-/// let touch = clip::segment(Vertex::px(-5, 5), Vertex::px(5, -5), corners).unwrap();
-/// assert_eq!(touch.ends, [Vertex::px(0, 0); 2]);
+/// assert_eq!(clip::segment(PointFx::px(-5, 4), PointFx::px(4, -5), corners), None);
+/// let touch = clip::segment(PointFx::px(-5, 5), PointFx::px(5, -5), corners).unwrap();
+/// assert_eq!(touch.ends, [PointFx::px(0, 0); 2]);
 /// ```
-pub fn segment(a: Vertex, b: Vertex, corners: [Vertex; 2]) -> Option<Part> {
+pub fn segment(a: PointFx, b: PointFx, corners: [PointFx; 2]) -> Option<Clipped> {
     let ((ax, ay), (bx, by)) = (bits(a), bits(b));
     let [(px, py), (qx, qy)] = corners.map(bits);
     let (mut from, mut to) = (Fraction::ZERO, Fraction::ONE);
@@ -87,8 +87,8 @@ pub fn segment(a: Vertex, b: Vertex, corners: [Vertex; 2]) -> Option<Part> {
         }
     }
     let at = [from, to];
-    let place = |t| Vertex::from_bits(along(ax, bx, t), along(ay, by, t));
-    (!from.is_more_than(to)).then(|| Part { ends: at.map(place), at })
+    let place = |t| PointFx::from_bits(along(ax, bx, t), along(ay, by, t));
+    (!from.is_more_than(to)).then(|| Clipped { ends: at.map(place), at })
 }
 
 /// Whether a segment that goes up, or backwards, passes `p` before `q`.

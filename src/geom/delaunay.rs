@@ -26,7 +26,7 @@ use core::cmp::Ordering;
 
 use super::{
     exact::{in_circle, turn},
-    Vertex,
+    PointFx,
 };
 use crate::error::Error;
 
@@ -43,19 +43,19 @@ const NONE: u16 = u16::MAX;
 /// [`Error::TriangleTableFull`] if `neighbours` has fewer slots than there are triangles, or these are more than 65,535.
 /// Nothing was changed then.
 /// ```
-/// use embedded_raster::{geom::delaunay, Vertex};
-/// let kite = [(0, 0), (8, -1), (16, 0), (8, 1)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::delaunay, PointFx};
+/// let kite = [(0, 0), (8, -1), (16, 0), (8, 1)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = [[0, 1, 2], [2, 3, 0]]; // two long ones
 /// assert_eq!(delaunay::refine(&kite, &mut triangles, &mut [[0; 3]; 2])?, 1);
 /// assert_eq!(triangles, [[2, 3, 1], [3, 0, 1]]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
-pub fn refine(vertices: &[Vertex], triangles: &mut [[u16; 3]], neighbours: &mut [[u16; 3]]) -> Result<u32, Error> {
+pub fn refine(vertices: &[PointFx], triangles: &mut [[u16; 3]], neighbours: &mut [[u16; 3]]) -> Result<u32, Error> {
     let (needed, capacity) = (triangles.len(), neighbours.len().min(usize::from(NONE)));
     if needed > capacity {
         return Err(Error::TriangleTableFull { capacity, needed });
     }
-    let mut mesh = Mesh { vertices, triangles, neighbours };
+    let mut mesh = FlipMesh { vertices, triangles, neighbours };
     mesh.meet();
     let (mut flips, mut before) = (0_u32, None);
     // A proper triangulation ends long before the limit; what is none must end too.
@@ -70,8 +70,8 @@ pub fn refine(vertices: &[Vertex], triangles: &mut [[u16; 3]], neighbours: &mut 
     Ok(flips)
 }
 
-struct Mesh<'a> {
-    vertices: &'a [Vertex],
+struct FlipMesh<'a> {
+    vertices: &'a [PointFx],
     triangles: &'a mut [[u16; 3]],
     /// The triangle beyond each side; side k goes from corner k to the next.
     neighbours: &'a mut [[u16; 3]],
@@ -84,7 +84,7 @@ struct Turned {
     beyond: [u16; 3],
 }
 
-impl Mesh<'_> {
+impl FlipMesh<'_> {
     /// Finds all neighbours: who has the same side the other way.
     fn meet(&mut self) {
         for t in 0..self.triangles.len() {

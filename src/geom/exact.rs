@@ -18,7 +18,7 @@
 
 use core::cmp::Ordering;
 
-use super::{bits, Vertex};
+use super::{bits, PointFx};
 use crate::num::{
     cast::narrow,
     round::{compare_products, difference},
@@ -31,14 +31,14 @@ pub(crate) type Place = (i32, i32);
 /// `Less` when the other way; `Equal` when the three lie on a line or two of them are one.
 /// ```
 /// use core::cmp::Ordering;
-/// use embedded_raster::{geom::exact::turn, Vertex};
-/// let [a, b, c] = [(0, 0), (10, 0), (10, 1)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::exact::turn, PointFx};
+/// let [a, b, c] = [(0, 0), (10, 0), (10, 1)].map(|(x, y)| PointFx::px(x, y));
 /// assert_eq!(turn(a, b, c), Ordering::Greater);
 /// assert_eq!(turn(c, b, a), Ordering::Less);
-/// assert_eq!(turn(a, b, Vertex::px(-3, 0)), Ordering::Equal);
+/// assert_eq!(turn(a, b, PointFx::px(-3, 0)), Ordering::Equal);
 /// ```
 #[inline]
-pub fn turn(a: Vertex, b: Vertex, c: Vertex) -> Ordering {
+pub fn turn(a: PointFx, b: PointFx, c: PointFx) -> Ordering {
     turn_at(bits(a), bits(b), bits(c))
 }
 
@@ -66,14 +66,14 @@ pub(crate) fn cross_sign(a: (i64, i64), b: (i64, i64)) -> Ordering {
 /// sides of that line.
 /// ```
 /// use core::cmp::Ordering;
-/// use embedded_raster::{geom::exact::in_circle, Vertex};
-/// let [a, b, c, d] = [(0, 0), (4, 0), (4, 4), (0, 4)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::exact::in_circle, PointFx};
+/// let [a, b, c, d] = [(0, 0), (4, 0), (4, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
 /// assert_eq!(in_circle(a, b, c, d), Ordering::Equal);
-/// assert_eq!(in_circle(a, b, c, Vertex::from_bits(1, 4 * 256)), Ordering::Greater);
-/// assert_eq!(in_circle(a, b, c, Vertex::from_bits(-1, 4 * 256)), Ordering::Less);
+/// assert_eq!(in_circle(a, b, c, PointFx::from_bits(1, 4 * 256)), Ordering::Greater);
+/// assert_eq!(in_circle(a, b, c, PointFx::from_bits(-1, 4 * 256)), Ordering::Less);
 /// ```
-pub fn in_circle(a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Ordering {
-    let from = |v: Vertex| {
+pub fn in_circle(a: PointFx, b: PointFx, c: PointFx, d: PointFx) -> Ordering {
+    let from = |v: PointFx| {
         let (v, d) = (bits(v), bits(d));
         (i128::from(difference(v.0, d.0)), i128::from(difference(v.1, d.1)))
     };

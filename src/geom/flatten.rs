@@ -38,7 +38,7 @@
 
 use core::{num::NonZeroU32, slice::Iter};
 
-use super::{bits, path::PathSegment, view::View, Vertex};
+use super::{bits, path::PathSegment, view::View, PointFx};
 use crate::{
     num::{
         cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
@@ -58,24 +58,24 @@ const END: u32 = 1 << TIME;
 /// The vertices of one contour of a [`Path`](super::Path), the first one included, the closing side not.
 #[derive(Clone, Debug)]
 pub struct Contour<'a> {
-    start: Option<Vertex>,
-    at: Vertex,
+    start: Option<PointFx>,
+    at: PointFx,
     segments: Iter<'a, PathSegment>,
-    curve: Option<Curve>,
+    curve: Option<Bezier>,
     closed: bool,
     view: View,
 }
 
 /// A vertex, and whether the path goes on smoothly there, inside of a curve.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Node {
-    pub(crate) at: Vertex,
+pub(crate) struct Knot {
+    pub(crate) at: PointFx,
     pub(crate) smooth: bool,
 }
 
 impl<'a> Contour<'a> {
     #[inline]
-    pub(super) fn new(start: Vertex, segments: &'a [PathSegment], closed: bool, view: View) -> Self {
+    pub(super) fn new(start: PointFx, segments: &'a [PathSegment], closed: bool, view: View) -> Self {
         Self { start: Some(start), at: start, segments: segments.iter(), curve: None, closed, view }
     }
 
@@ -86,9 +86,9 @@ impl<'a> Contour<'a> {
     }
 
     #[inline(never)]
-    pub(crate) fn next_node(&mut self) -> Option<Node> {
+    pub(crate) fn next_knot(&mut self) -> Option<Knot> {
         if let Some(at) = self.start.take() {
-            return Some(Node { at, smooth: false });
+            return Some(Knot { at, smooth: false });
         }
         loop {
             if let Some(node) = self.curve.as_mut().and_then(|curve| curve.next(&self.view)) {
@@ -98,14 +98,14 @@ impl<'a> Contour<'a> {
             self.at = match *self.segments.next()? {
                 PathSegment::LineTo(to) => {
                     self.at = to;
-                    return Some(Node { at: to, smooth: false });
+                    return Some(Knot { at: to, smooth: false });
                 }
                 PathSegment::QuadraticTo(c, to) => {
-                    self.curve = Some(Curve::quadratic([from, c, to], &self.view));
+                    self.curve = Some(Bezier::quadratic([from, c, to], &self.view));
                     to
                 }
                 PathSegment::CubicTo(c, d, to) => {
-                    self.curve = Some(Curve::cubic([from, c, d, to], &self.view));
+                    self.curve = Some(Bezier::cubic([from, c, d, to], &self.view));
                     to
                 }
                 PathSegment::MoveTo(_) | PathSegment::Close => return None,
@@ -115,24 +115,24 @@ impl<'a> Contour<'a> {
 }
 
 impl Iterator for Contour<'_> {
-    type Item = Vertex;
+    type Item = PointFx;
 
     #[inline]
-    fn next(&mut self) -> Option<Vertex> {
-        self.next_node().map(|node| node.at)
+    fn next(&mut self) -> Option<PointFx> {
+        self.next_knot().map(|node| node.at)
     }
 }
 
 /// A curve on its way. Times are in units of 2^-20.
 #[derive(Clone, Debug)]
-struct Curve {
+struct Bezier {
     x: Polynomial,
     y: Polynomial,
-    part: Part,
+    part: Section,
     /// Where the pieces so far ended.
-    last: Vertex,
+    last: PointFx,
     /// The end of the part that was looked at last: of the next one too, if it is the second half of what was halved.
-    ahead: (u32, Vertex),
+    ahead: (u32, PointFx),
     /// No part of it can leave the view.
     whole: bool,
     /// W can be found in 32 bits.
@@ -141,14 +141,14 @@ struct Curve {
 
 /// A part of a curve, from `start` on and `2^level` long, after `done` of its pieces.
 #[derive(Copy, Clone, Debug)]
-struct Part {
+struct Section {
     start: u32,
     level: u32,
     pieces: u32,
     done: u32,
 }
 
-impl Part {
+impl Section {
     fn end(self) -> u32 {
         self.start.wrapping_add(1_u32.wrapping_shl(self.level))
     }
@@ -160,27 +160,27 @@ impl Part {
     }
 }
 
-impl Curve {
-    fn quadratic(points: [Vertex; 3], view: &View) -> Self {
+impl Bezier {
+    fn quadratic(points: [PointFx; 3], view: &View) -> Self {
         let [(ax, ay), (bx, by), (cx, cy)] = points.map(bits);
         let (x, y) = (Polynomial::quadratic([ax, bx, cx]), Polynomial::quadratic([ay, by, cy]));
         Self::new(x, y, (points[0], points[2]), points.iter().all(|&p| view.holds(p)))
     }
 
-    fn cubic(points: [Vertex; 4], view: &View) -> Self {
+    fn cubic(points: [PointFx; 4], view: &View) -> Self {
         let [(ax, ay), (bx, by), (cx, cy), (dx, dy)] = points.map(bits);
         let (x, y) = (Polynomial::cubic([ax, bx, cx, dx]), Polynomial::cubic([ay, by, cy, dy]));
         Self::new(x, y, (points[0], points[3]), points.iter().all(|&p| view.holds(p)))
     }
 
-    fn new(x: Polynomial, y: Polynomial, (start, end): (Vertex, Vertex), whole: bool) -> Self {
+    fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), whole: bool) -> Self {
         let small = !COMPACT && x.is_small() && y.is_small();
-        let part = Part { start: 0, level: 0, pieces: 0, done: 0 };
+        let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
         Self { x, y, part, last: start, ahead: (END, end), whole, small }
     }
 
     /// The end of the next piece.
-    fn next(&mut self, view: &View) -> Option<Node> {
+    fn next(&mut self, view: &View) -> Option<Knot> {
         if self.part.done == self.part.pieces {
             let start = self.part.time(self.part.done);
             if start == END {
@@ -191,13 +191,13 @@ impl Curve {
         self.part.done = self.part.done.wrapping_add(1);
         let time = self.part.time(self.part.done);
         self.last = if time == self.ahead.0 { self.ahead.1 } else { self.at(time) };
-        Some(Node { at: self.last, smooth: time != END })
+        Some(Knot { at: self.last, smooth: time != END })
     }
 
     /// The part from here on that is not halved, because it is flat, bends evenly or cannot be seen.
-    fn next_part(&mut self, start: u32, view: &View) -> Part {
+    fn next_part(&mut self, start: u32, view: &View) -> Section {
         // The largest one that begins here: all that hold it were halved before.
-        let mut part = Part { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
+        let mut part = Section { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
         loop {
             let end = part.end();
             if self.ahead.0 != end {
@@ -216,7 +216,7 @@ impl Curve {
     }
 
     /// W at the thirds of a part.
-    fn bends(&self, part: Part) -> Bends {
+    fn bends(&self, part: Section) -> Bends {
         let length = 1_u32.wrapping_shl(part.level);
         let first = part.start.wrapping_mul(3).wrapping_add(length);
         let down = TIME.wrapping_sub(part.level) << 1;
@@ -230,8 +230,8 @@ impl Curve {
         Bends(bends(first), bends(first.wrapping_add(length)))
     }
 
-    fn at(&self, t: u32) -> Vertex {
-        Vertex::from_bits(self.x.at(t), self.y.at(t))
+    fn at(&self, t: u32) -> PointFx {
+        PointFx::from_bits(self.x.at(t), self.y.at(t))
     }
 }
 
@@ -243,7 +243,7 @@ impl Bends {
     ///
     /// W and sides of the chord are below 2^15: sums of two products fit 31 bits.
     #[inline(always)]
-    fn pieces(&self, from: Vertex, to: Vertex) -> u32 {
+    fn pieces(&self, from: PointFx, to: PointFx) -> u32 {
         let &Self(first, second) = self;
         if !are_small(first, second) {
             return 0;
@@ -285,7 +285,7 @@ impl Bends {
     }
 
     /// Whether the part between two places lies beside the view.
-    fn hide(&self, from: Vertex, to: Vertex, view: &View) -> bool {
+    fn hide(&self, from: PointFx, to: PointFx, view: &View) -> bool {
         let &Self((a, b), (c, d)) = self;
         let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
         // It is within |W| / 4 of the chord; W and both ends are rounded.

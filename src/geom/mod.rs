@@ -7,7 +7,7 @@
 //!    1 +---+---+---+---
 //!      | . | . | o |   a Point names a square: o is Point::new(2, 1)
 //!    2 +---*---+---+---
-//!      | . | . | . |   a Vertex names a place: * is Vertex::px(1, 2), a corner of four squares
+//!      | . | . | . |   a PointFx names a place: * is PointFx::px(1, 2), a corner of four squares
 //!    y
 //! ```
 
@@ -20,13 +20,13 @@ pub mod triangulate;
 
 mod angle;
 mod path;
-mod vertex;
+mod point;
 mod view;
 mod viewport;
 
 pub use angle::Angle;
 pub use path::{Contours, Path, PathSegment};
-pub(crate) use vertex::bits;
-pub use vertex::Vertex;
+pub(crate) use point::bits;
+pub use point::PointFx;
 pub(crate) use view::View;
 pub use viewport::Viewport;

@@ -12,31 +12,31 @@
 //! over them; nothing is stored. How curves become lines, and how close those are, is told in
 //! [`flatten`](super::flatten).
 
-use super::{flatten::Contour, view::View, Vertex};
+use super::{flatten::Contour, view::View, PointFx};
 use crate::rect::Rect;
 
 /// One step of a [`Path`].
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum PathSegment {
     /// Ends the contour, if there is one, and begins another here.
-    MoveTo(Vertex),
+    MoveTo(PointFx),
     /// A straight side.
-    LineTo(Vertex),
+    LineTo(PointFx),
     /// A quadratic Bézier curve: control point, end.
-    QuadraticTo(Vertex, Vertex),
+    QuadraticTo(PointFx, PointFx),
     /// A cubic Bézier curve: two control points, end.
-    CubicTo(Vertex, Vertex, Vertex),
+    CubicTo(PointFx, PointFx, PointFx),
     /// Joins the end of the contour to its start. What follows without a move starts there too.
     Close,
 }
 
 /// Contours of lines and curves, borrowed. A path that does not begin with a move begins at (0, 0).
 /// ```
-/// use embedded_raster::{Path, PathSegment::*, Vertex};
-/// let p = Vertex::px;
+/// use embedded_raster::{Path, PathSegment::*, PointFx};
+/// let p = PointFx::px;
 /// let drop = [MoveTo(p(8, 0)), CubicTo(p(8, 4), p(14, 8), p(8, 12)), CubicTo(p(2, 8), p(8, 4), p(8, 0)), Close];
 /// let path = Path::new(&drop);
-/// let contours: Vec<Vec<Vertex>> = path.contours().map(|c| c.collect()).collect();
+/// let contours: Vec<Vec<PointFx>> = path.contours().map(|c| c.collect()).collect();
 /// assert_eq!(contours.len(), 1);
 /// assert_eq!(contours[0].len(), 17); // eight sides a curve, each within 1/7 pixel of it
 /// ```
@@ -61,7 +61,7 @@ impl<'a> Path<'a> {
     /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
     #[inline]
     pub const fn contours(self) -> Contours<'a> {
-        Contours { rest: self.segments, start: Vertex::from_bits(0, 0), view: View::ALL }
+        Contours { rest: self.segments, start: PointFx::from_bits(0, 0), view: View::ALL }
     }
 
     /// The same for a fill that only `window` will show: the pixels there are the same, the vertices that do not matter to
@@ -83,7 +83,7 @@ impl<'a> Path<'a> {
 pub struct Contours<'a> {
     rest: &'a [PathSegment],
     /// Where a contour without a move starts.
-    start: Vertex,
+    start: PointFx,
     view: View,
 }
 

@@ -19,7 +19,7 @@ use core::{borrow::Borrow, cmp::Ordering};
 use super::{
     bits,
     exact::{cross_sign, turn_at, Place},
-    Vertex,
+    PointFx,
 };
 use crate::num::round::difference;
 
@@ -46,7 +46,7 @@ impl FillRule {
 
 /// Calls `visit` with each side of a closed contour.
 #[inline(always)]
-fn sides(contour: impl IntoIterator<Item = impl Borrow<Vertex>>, mut visit: impl FnMut(Place, Place)) {
+fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, mut visit: impl FnMut(Place, Place)) {
     let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
     let Some(first) = vertices.next() else { return };
     let last = vertices.fold(first, |last, vertex| {
@@ -61,14 +61,14 @@ fn sides(contour: impl IntoIterator<Item = impl Borrow<Vertex>>, mut visit: impl
 /// Its sides then cross every row twice at most. An outline without area is convex if it goes there and back once, or
 /// stays at one place. One that crosses itself, goes round twice, or has a spike is not.
 /// ```
-/// use embedded_raster::{geom::polygon::is_convex, Vertex};
-/// let outline = |places: &[(i32, i32)]| places.iter().map(|&(x, y)| Vertex::px(x, y)).collect::<Vec<_>>();
+/// use embedded_raster::{geom::polygon::is_convex, PointFx};
+/// let outline = |places: &[(i32, i32)]| places.iter().map(|&(x, y)| PointFx::px(x, y)).collect::<Vec<_>>();
 /// assert!(is_convex(&outline(&[(0, 0), (2, 0), (4, 0), (4, 0), (4, 4), (0, 4)])));
 /// assert!(!is_convex(&outline(&[(0, 0), (4, 4), (4, 0), (0, 4)])), "a bow-tie");
 /// assert!(!is_convex(&outline(&[(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)])), "a pentagram");
 /// ```
-pub fn is_convex(outline: &[Vertex]) -> bool {
-    let mut path = Path::default();
+pub fn is_convex(outline: &[PointFx]) -> bool {
+    let mut path = Turns::default();
     sides(outline, |a, b| path.go((difference(b.0, a.0), difference(b.1, a.1))));
     // The turn at the first side.
     if let Some(first) = path.first {
@@ -79,7 +79,7 @@ pub fn is_convex(outline: &[Vertex]) -> bool {
 
 /// What the directions of the sides did so far.
 #[derive(Default)]
-struct Path {
+struct Turns {
     first: Option<(i64, i64)>,
     last: (i64, i64),
     clockwise: bool,
@@ -88,7 +88,7 @@ struct Path {
     reversals: u8,
 }
 
-impl Path {
+impl Turns {
     /// Goes on by a side.
     fn go(&mut self, side: (i64, i64)) {
         if side == (0, 0) {
@@ -112,15 +112,15 @@ impl Path {
 ///
 /// Regions that the outline goes round twice count twice, those that it goes round the other way count negative.
 /// ```
-/// use embedded_raster::{geom::polygon::twice_area, Vertex};
-/// let outline = [(0, 0), (4, 0), (4, 3)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::polygon::twice_area, PointFx};
+/// let outline = [(0, 0), (4, 0), (4, 3)].map(|(x, y)| PointFx::px(x, y));
 /// assert_eq!(twice_area(&outline), 12 << 16);
 /// ```
-pub fn twice_area(outline: &[Vertex]) -> i128 {
+pub fn twice_area(outline: &[PointFx]) -> i128 {
     let Some((&first, &last)) = outline.first().zip(outline.last()) else { return 0 };
     // Each x times the height from the vertex before to the one after, below 2^63.
     let mut sum = 0_i128;
-    let mut add = |before: Vertex, at: Vertex, after: Vertex| {
+    let mut add = |before: PointFx, at: PointFx, after: PointFx| {
         let height = difference(bits(after).1, bits(before).1);
         sum = sum.wrapping_add(i128::from(i64::from(bits(at).0).wrapping_mul(height)));
     };
@@ -137,33 +137,33 @@ pub fn twice_area(outline: &[Vertex]) -> i128 {
 /// it has no area. Of one that crosses itself, what most of its area says.
 /// ```
 /// use core::cmp::Ordering;
-/// use embedded_raster::{geom::polygon::orientation, Vertex};
-/// let mut outline = [(0, 0), (4, 0), (4, 3)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::polygon::orientation, PointFx};
+/// let mut outline = [(0, 0), (4, 0), (4, 3)].map(|(x, y)| PointFx::px(x, y));
 /// assert_eq!(orientation(&outline), Ordering::Greater);
 /// outline.reverse();
 /// assert_eq!(orientation(&outline), Ordering::Less);
 /// ```
-pub fn orientation(outline: &[Vertex]) -> Ordering {
+pub fn orientation(outline: &[PointFx]) -> Ordering {
     twice_area(outline).cmp(&0)
 }
 
 /// Whether a place lies inside of a polygon.
 ///
-/// * `contours`: closed outlines, as for [`fill`](crate::raster::polygon::fill). With [`Vertex::centre_of`] a pixel it is
+/// * `contours`: closed outlines, as for [`fill`](crate::raster::polygon::fill). With [`PointFx::centre_of`] a pixel it is
 ///   true exactly for the pixels that `fill` paints.
 /// ```
-/// use embedded_raster::{geom::polygon::contains, FillRule, Vertex};
-/// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| Vertex::px(x, y));
-/// let hole = [(2, 1), (4, 1), (4, 3), (2, 3)].map(|(x, y)| Vertex::px(x, y));
-/// assert!(contains([outer, hole], FillRule::EvenOdd, Vertex::px(0, 0)), "on the left and upper sides");
-/// assert!(!contains([outer, hole], FillRule::EvenOdd, Vertex::px(3, 2)));
-/// assert!(contains([outer, hole], FillRule::NonZero, Vertex::px(3, 2)), "both go the same way");
+/// use embedded_raster::{geom::polygon::contains, FillRule, PointFx};
+/// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
+/// let hole = [(2, 1), (4, 1), (4, 3), (2, 3)].map(|(x, y)| PointFx::px(x, y));
+/// assert!(contains([outer, hole], FillRule::EvenOdd, PointFx::px(0, 0)), "on the left and upper sides");
+/// assert!(!contains([outer, hole], FillRule::EvenOdd, PointFx::px(3, 2)));
+/// assert!(contains([outer, hole], FillRule::NonZero, PointFx::px(3, 2)), "both go the same way");
 /// ```
-pub fn contains<C>(contours: C, rule: FillRule, at: Vertex) -> bool
+pub fn contains<C>(contours: C, rule: FillRule, at: PointFx) -> bool
 where
     C: IntoIterator,
     C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<Vertex>,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
     let at = bits(at);
     let mut winding = 0_i32;

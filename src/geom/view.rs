@@ -1,6 +1,6 @@
 //! [`View`]: a window as shapes see it.
 
-use super::{bits, Vertex};
+use super::{bits, PointFx};
 use crate::{num::cast::saturate, rect::Rect};
 
 /// What may be seen: places in 24.8 units, all four sides included.
@@ -25,7 +25,7 @@ impl View {
 
     /// Whether the box around two places, and `slack` units around it, lies on one side of the view.
     #[inline(never)]
-    pub(crate) fn hides(&self, a: Vertex, b: Vertex, slack: i64) -> bool {
+    pub(crate) fn hides(&self, a: PointFx, b: PointFx, slack: i64) -> bool {
         let (a, b) = (bits(a), bits(b));
         let beside = |p: i32, q: i32, low: i32, high: i32| {
             i64::from(p.max(q)).wrapping_add(slack) < i64::from(low)
@@ -39,7 +39,7 @@ impl View {
         [(self.x0, self.y0), (self.x1, self.y1)]
     }
 
-    pub(crate) fn holds(&self, v: Vertex) -> bool {
+    pub(crate) fn holds(&self, v: PointFx) -> bool {
         let (x, y) = bits(v);
         self.x0 <= x && x <= self.x1 && self.y0 <= y && y <= self.y1
     }

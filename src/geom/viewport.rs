@@ -17,7 +17,7 @@ use core::num::NonZeroU32;
 
 use fixed::types::I16F16;
 
-use super::{bits, Vertex};
+use super::{bits, PointFx};
 use crate::{
     num::{
         cast::{saturate, signed_wide},
@@ -31,23 +31,23 @@ use crate::{
 /// Numbers of the plane are in any unit of 32 bits: `I16F16` for [`new`](Self::new) and [`place`](Self::place), or else the
 /// bits of what you like.
 /// ```
-/// use embedded_raster::{geom::Viewport, Rect, Vertex};
+/// use embedded_raster::{geom::Viewport, Rect, PointFx};
 /// use fixed::types::I16F16;
 /// let one = I16F16::ONE;
 /// let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240)).with_y_up();
-/// assert_eq!(view.vertex(-one, one), Vertex::px(0, 0));
-/// assert_eq!(view.vertex(I16F16::ZERO, I16F16::ZERO), Vertex::px(160, 120));
-/// assert_eq!(view.place(Vertex::px(240, 240)), [one / 2, -one]);
+/// assert_eq!(view.vertex(-one, one), PointFx::px(0, 0));
+/// assert_eq!(view.vertex(I16F16::ZERO, I16F16::ZERO), PointFx::px(160, 120));
+/// assert_eq!(view.place(PointFx::px(240, 240)), [one / 2, -one]);
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Viewport {
-    x: Axis,
-    y: Axis,
+    x: AxisMap,
+    y: AxisMap,
 }
 
 /// Two ends on the plane, and theirs on the screen.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-struct Axis {
+struct AxisMap {
     plane: (i32, i32),
     screen: (i32, i32),
 }
@@ -64,11 +64,11 @@ impl Viewport {
     /// The same for corners in any unit.
     #[inline]
     pub fn from_bits(low: [i32; 2], high: [i32; 2], area: Rect) -> Self {
-        let (upper, lower) = (bits(Vertex::px(area.x0, area.y0)), bits(Vertex::px(area.x1, area.y1)));
+        let (upper, lower) = (bits(PointFx::px(area.x0, area.y0)), bits(PointFx::px(area.x1, area.y1)));
         let ([x0, y0], [x1, y1]) = (low, high);
         Self {
-            x: Axis { plane: (x0, x1), screen: (upper.0, lower.0) },
-            y: Axis { plane: (y0, y1), screen: (upper.1, lower.1) },
+            x: AxisMap { plane: (x0, x1), screen: (upper.0, lower.0) },
+            y: AxisMap { plane: (y0, y1), screen: (upper.1, lower.1) },
         }
     }
 
@@ -77,30 +77,30 @@ impl Viewport {
     #[must_use]
     pub fn with_y_up(self) -> Self {
         let (top, bottom) = self.y.screen;
-        Self { y: Axis { screen: (bottom, top), ..self.y }, ..self }
+        Self { y: AxisMap { screen: (bottom, top), ..self.y }, ..self }
     }
 
     /// Where a place of the plane lies on the screen, to the nearest 1/256 pixel.
     #[inline]
-    pub fn vertex(&self, x: I16F16, y: I16F16) -> Vertex {
+    pub fn vertex(&self, x: I16F16, y: I16F16) -> PointFx {
         self.vertex_from_bits([x.to_bits(), y.to_bits()])
     }
 
     /// The same in any unit.
-    pub fn vertex_from_bits(&self, [x, y]: [i32; 2]) -> Vertex {
-        let to_screen = |v, axis: Axis| map(v, axis.plane, axis.screen);
-        Vertex::from_bits(to_screen(x, self.x), to_screen(y, self.y))
+    pub fn vertex_from_bits(&self, [x, y]: [i32; 2]) -> PointFx {
+        let to_screen = |v, axis: AxisMap| map(v, axis.plane, axis.screen);
+        PointFx::from_bits(to_screen(x, self.x), to_screen(y, self.y))
     }
 
     /// Which place of the plane lies at a place on the screen, to the nearest unit.
     #[inline]
-    pub fn place(&self, at: Vertex) -> [I16F16; 2] {
+    pub fn place(&self, at: PointFx) -> [I16F16; 2] {
         self.place_bits(at).map(I16F16::from_bits)
     }
 
     /// The same in any unit.
-    pub fn place_bits(&self, at: Vertex) -> [i32; 2] {
-        let to_plane = |p, axis: Axis| map(p, axis.screen, axis.plane);
+    pub fn place_bits(&self, at: PointFx) -> [i32; 2] {
+        let to_plane = |p, axis: AxisMap| map(p, axis.screen, axis.plane);
         let (x, y) = bits(at);
         [to_plane(x, self.x), to_plane(y, self.y)]
     }

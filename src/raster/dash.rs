@@ -24,7 +24,7 @@ use super::{
     stroke::{Event, Pen, Sealed, Start, Stroke},
 };
 use crate::{
-    geom::{bits, Vertex, View},
+    geom::{bits, PointFx, View},
     num::{
         cast::{low_u32, magnitude, saturate},
         round::{difference, div_rem_wide},
@@ -42,14 +42,14 @@ pub struct Dash<'a> {
 impl Stroke {
     /// With gaps: lengths on and off in turn, of which `phase` lies before the start of each contour.
     /// ```
-    /// use embedded_raster::{buffer_bytes, Canvas, Edge, Framebuffer, Index1, Stroke, Vertex};
+    /// use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Framebuffer, Index1, Stroke, PointFx};
     /// use fixed::types::I24F8;
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 3)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 3)?;
     /// let lengths = [4, 2].map(I24F8::from_num);
-    /// let line = [0, 16].map(|x| Vertex::from_bits(256 * x, 384));
+    /// let line = [0, 16].map(|x| PointFx::from_bits(256 * x, 384));
     /// let stroke = Stroke::px(1).dashed(&lengths, I24F8::ONE);
-    /// frame.stroke_line(line, &stroke, &mut [Edge::EMPTY; 16], Index1::MAX)?;
+    /// frame.stroke_line(line, &stroke, &mut [EdgeSlot::EMPTY; 16], Index1::MAX)?;
     /// assert_eq!(ram, [0, 0, 0b1110_0111, 0b1001_1110, 0, 0]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
@@ -157,8 +157,8 @@ fn units(length: I24F8) -> u64 {
 /// A side that is being cut, from `s` on.
 #[derive(Copy, Clone, Debug)]
 struct Side {
-    a: Vertex,
-    b: Vertex,
+    a: PointFx,
+    b: PointFx,
     u: Direction,
     start: Start,
     length: u64,
@@ -166,7 +166,7 @@ struct Side {
 }
 
 impl Side {
-    fn at(&self, s: u64) -> Vertex {
+    fn at(&self, s: u64) -> PointFx {
         if s == self.length {
             return self.b;
         }
@@ -176,7 +176,7 @@ impl Side {
             saturate(i64::from(from).wrapping_add(if u < 0 { distance.wrapping_neg() } else { distance }))
         };
         let (x, y) = bits(self.a);
-        Vertex::from_bits(along(x, self.u.x), along(y, self.u.y))
+        PointFx::from_bits(along(x, self.u.x), along(y, self.u.y))
     }
 }
 
@@ -272,7 +272,7 @@ impl<S> Cut<'_, S> {
 }
 
 /// How far a place is from a view at the least, in units of 2^-16.
-fn distance(view: &View, from: Vertex) -> u64 {
+fn distance(view: &View, from: PointFx) -> u64 {
     let (x, y) = bits(from);
     let [(x0, y0), (x1, y1)] = view.corners();
     let beside = |n: i32, low: i32, high: i32| difference(low, n).max(difference(n, high));

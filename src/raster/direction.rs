@@ -3,7 +3,7 @@
 use core::num::NonZeroU32;
 
 use crate::{
-    geom::{bits, Vertex},
+    geom::{bits, PointFx},
     num::{
         cast::{low_u32, narrow, signed},
         root::square_root,
@@ -23,7 +23,7 @@ impl Direction {
 
     /// From a to b, and the distance in units of 2^-16 pixel, rounded down; `None` if they are the same place.
     #[inline(never)]
-    pub(crate) fn between(a: Vertex, b: Vertex) -> Option<(Self, u64)> {
+    pub(crate) fn between(a: PointFx, b: PointFx) -> Option<(Self, u64)> {
         let (a, b) = (bits(a), bits(b));
         let (dx, dy) = (difference(b.0, a.0), difference(b.1, a.1));
         let zeros = (dx.unsigned_abs() | dy.unsigned_abs()).leading_zeros();
@@ -87,7 +87,7 @@ pub(crate) fn with_sign(n: u32, sign: i64) -> i32 {
 }
 
 /// A place and steps from it. Stops at the ends of the type.
-pub(crate) fn moved(v: Vertex, (x, y): (i32, i32)) -> Vertex {
+pub(crate) fn moved(v: PointFx, (x, y): (i32, i32)) -> PointFx {
     let (vx, vy) = bits(v);
-    Vertex::from_bits(vx.saturating_add(x), vy.saturating_add(y))
+    PointFx::from_bits(vx.saturating_add(x), vy.saturating_add(y))
 }

@@ -1,4 +1,4 @@
-//! [`Edge`]: a side of a shape, as the first pixel right of it on each row.
+//! [`EdgeSlot`]: a side of a shape, as the first pixel right of it on each row.
 //!
 //! An edge from (ax, ay) down to (bx, by), with `dx = bx - ax` and `dy = by - ay > 0` in 24.8 units, crosses the rows whose
 //! centre `cy = 256 y + 128` has `ay <= cy < by`. Of row y it leaves to its right the pixels from
@@ -19,7 +19,7 @@
 use core::{cell::Cell, num::NonZeroU32};
 
 use crate::{
-    geom::{bits, Vertex},
+    geom::{bits, PointFx},
     num::{
         cast::{low_u32, magnitude, signed, unsigned},
         round::{div_rem_wide, first_centre_after, floor_div_rem},
@@ -32,7 +32,7 @@ use super::list::END;
 
 /// One slot of an edge table: a side on its way down the rows. See [`polygon::fill`](crate::raster::polygon::fill).
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edge {
+pub struct EdgeSlot {
     /// `value` is the first pixel right of the edge on the row it stands on.
     pub(crate) crossing: Cell<Stepper>,
     /// The first row it crosses, then [`ACTIVE`].
@@ -49,11 +49,11 @@ pub struct Edge {
 /// The row of all edges that are on their way: they are sorted by their crossings alone.
 pub(crate) const ACTIVE: i32 = i32::MIN;
 
-impl Edge {
+impl EdgeSlot {
     /// An empty slot, to make a table of.
     /// ```
-    /// use embedded_raster::raster::Edge;
-    /// static mut TABLE: [Edge; 64] = [Edge::EMPTY; 64];
+    /// use embedded_raster::raster::EdgeSlot;
+    /// static mut TABLE: [EdgeSlot; 64] = [EdgeSlot::EMPTY; 64];
     /// ```
     #[expect(clippy::declare_interior_mutable_const, reason = "it is copied into every slot")]
     pub const EMPTY: Self = Self {
@@ -67,7 +67,7 @@ impl Edge {
     /// Puts the side from a to b into this slot, as it stands on the first of the rows `y..end`, which it crosses; `down` if
     /// that is where b lies.
     #[inline(always)]
-    pub(crate) fn put(&mut self, a: Vertex, b: Vertex, (y, end): (i32, i32), down: bool) {
+    pub(crate) fn put(&mut self, a: PointFx, b: PointFx, (y, end): (i32, i32), down: bool) {
         let Some(slope) = Slope::either_way(bits(a), bits(b), down) else { return };
         // Two stores: of one, the smaller side's numbers would go by way of the stack.
         if slope.is_small() {

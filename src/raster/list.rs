@@ -1,4 +1,4 @@
-//! Lists of edges: places in a table, joined by [`Edge::link`]. Edges are linked anew, never moved.
+//! Lists of edges: places in a table, joined by [`EdgeSlot::link`]. Edges are linked anew, never moved.
 //!
 //! The order is by row, then by crossing. Sorting is a merge of natural runs: `n log n` at the worst, and one look at each
 //! edge where there is nothing to do. A list is made at its end, which is a link: the first one or that of an edge.
@@ -7,7 +7,7 @@
 
 use core::{cell::Cell, mem::replace};
 
-use super::Edge;
+use super::EdgeSlot;
 use crate::target::COMPACT;
 
 /// No edge: the end of a list.
@@ -18,13 +18,13 @@ const LEVELS: usize = 17;
 
 /// The edge at a place; `None` at the end of a list.
 #[inline(always)]
-pub(super) fn get(table: &[Edge], place: u16) -> Option<&Edge> {
+pub(super) fn get(table: &[EdgeSlot], place: u16) -> Option<&EdgeSlot> {
     table.get(usize::from(place))
 }
 
 /// Merges two sorted lists: the edges of the second one are linked into the first.
 #[inline(never)]
-pub(super) fn merge(table: &[Edge], a: u16, mut b: u16) -> u16 {
+pub(super) fn merge(table: &[EdgeSlot], a: u16, mut b: u16) -> u16 {
     let first = Cell::new(a);
     let mut end = &first;
     while let Some(edge) = get(table, b) {
@@ -40,7 +40,7 @@ pub(super) fn merge(table: &[Edge], a: u16, mut b: u16) -> u16 {
 
 /// Sorts a list.
 #[inline(never)]
-pub(super) fn sort(table: &[Edge], list: u16) -> u16 {
+pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
     let (mut run, mut rest) = take_run(table, list);
     if rest == END {
         return run;
@@ -62,7 +62,7 @@ pub(super) fn sort(table: &[Edge], list: u16) -> u16 {
 
 /// Cuts the edges that go up or that go down from the front of a list: the run, sorted, and the rest.
 #[inline(always)]
-fn take_run(table: &[Edge], list: u16) -> (u16, u16) {
+fn take_run(table: &[EdgeSlot], list: u16) -> (u16, u16) {
     let Some(mut last) = get(table, list) else { return (END, END) };
     let (mut first, mut low) = (list, last);
     let mut rest = last.link.get();

@@ -30,7 +30,7 @@ mod list;
 
 pub use arc::Sector;
 pub use dash::Dash;
-pub use edge::Edge;
+pub use edge::EdgeSlot;
 pub use ellipse::Ellipse;
 pub use polygon::FillRule;
 pub use rounded::Radii;

@@ -22,7 +22,7 @@
 use core::num::NonZeroU32;
 
 use crate::{
-    geom::{bits, Path, Vertex, View},
+    geom::{bits, Path, PointFx, View},
     num::{
         cast::{signed, unsigned},
         round::{div_rem_wide, first_centre_after, first_centre_from},
@@ -41,8 +41,8 @@ const MARGIN: i32 = 4;
 /// Cannot fail, for any coordinates and any window.
 /// ```
 /// use embedded_graphics_core::geometry::Point;
-/// use embedded_raster::{raster::outline, Path, PathSegment::*, Rect, Vertex};
-/// let at = |x, y| Vertex::centre_of(Point::new(x, y));
+/// use embedded_raster::{raster::outline, Path, PathSegment::*, Rect, PointFx};
+/// let at = |x, y| PointFx::centre_of(Point::new(x, y));
 /// let arch = [MoveTo(at(0, 5)), QuadraticTo(at(5, -5), at(10, 5))];
 /// let mut rows = [[b'.'; 11]; 6];
 /// outline::draw(Path::new(&arch), Rect::new(0, 0, 11, 6), |s| {
@@ -108,13 +108,13 @@ struct Trace<E> {
 }
 
 impl<E: FnMut(ClippedSpan)> Trace<E> {
-    fn start(&mut self, start: Vertex) {
+    fn start(&mut self, start: PointFx) {
         let pixel = start.pixel();
         (self.way, self.end) = (None, Some((pixel.x, pixel.y)));
     }
 
     /// The pixels of one line, those of the window and near it.
-    fn line(&mut self, a: Vertex, b: Vertex) {
+    fn line(&mut self, a: PointFx, b: PointFx) {
         let ((ax, ay), (bx, by)) = (bits(a), bits(b));
         let steep = ay.abs_diff(by) > ax.abs_diff(bx);
         let Rect { x0, y0, x1, y1 } = self.window;

@@ -2,7 +2,7 @@
 //!
 //! The scan-line algorithm: the sides *wait*, sorted by their first row; on each row those that cross it are *active*,
 //! sorted by where; between them the fill rule says what is inside. Crossings move by quotient and remainder
-//! ([`Edge`]), so they are exact on every row. Both orders are lists through the slots of the table: an edge that joins,
+//! ([`EdgeSlot`]), so they are exact on every row. Both orders are lists through the slots of the table: an edge that joins,
 //! ends or is overtaken is linked anew, and none is ever moved.
 //! ```text
 //!   waiting, by first row   e -> e -> e -> e ...          the first one joins when its row comes
@@ -28,11 +28,11 @@ use core::{
 use super::{
     edge::ACTIVE,
     list::{get, merge, sort, END},
-    Edge,
+    EdgeSlot,
 };
 use crate::{
     error::Error,
-    geom::{bits, Vertex},
+    geom::{bits, PointFx},
     num::{
         cast::{index, index_u16, signed, unsigned},
         round::first_centre_from,
@@ -53,11 +53,11 @@ pub use crate::geom::polygon::FillRule;
 /// # Errors
 /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
 /// ```
-/// use embedded_raster::{raster::{polygon, Edge, FillRule}, Rect, Vertex};
-/// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| Vertex::px(x, y));
-/// let hole = [(2, 1), (4, 1), (4, 3), (2, 3)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{raster::{polygon, EdgeSlot, FillRule}, Rect, PointFx};
+/// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
+/// let hole = [(2, 1), (4, 1), (4, 3), (2, 3)].map(|(x, y)| PointFx::px(x, y));
 /// let mut spans = vec![];
-/// let mut table = [Edge::EMPTY; 4];
+/// let mut table = [EdgeSlot::EMPTY; 4];
 /// polygon::fill([outer, hole], FillRule::EvenOdd, Rect::new(0, 0, 9, 9), &mut table, |s| spans.push((s.x0(), s.x1())))?;
 /// assert_eq!(spans, [(0, 6), (0, 2), (4, 6), (0, 2), (4, 6), (0, 6)]);
 /// # Ok::<(), embedded_raster::Error>(())
@@ -67,13 +67,13 @@ pub fn fill<C>(
     contours: C,
     rule: FillRule,
     window: Rect,
-    table: &mut [Edge],
+    table: &mut [EdgeSlot],
     mut emit: impl FnMut(ClippedSpan),
 ) -> Result<(), Error>
 where
     C: IntoIterator + Clone,
     C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<Vertex>,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
     if window.is_empty() {
         return Ok(());
@@ -127,14 +127,14 @@ struct Loaded {
 }
 
 /// Fills the table with the sides that cross rows `top..bottom`; goes on counting when it is full.
-fn load<C>(contours: C, top: i32, bottom: i32, table: &mut [Edge]) -> Loaded
+fn load<C>(contours: C, top: i32, bottom: i32, table: &mut [EdgeSlot]) -> Loaded
 where
     C: IntoIterator,
     C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<Vertex>,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
-    let mut add = |(a, ay): (Vertex, i32), (b, by): (Vertex, i32)| {
+    let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
         let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
         if y >= end {
             return;
@@ -161,7 +161,7 @@ where
 
 /// The edges whose first row is still to come, in buckets of `2^shift` rows.
 ///
-/// Bucket k is a list that starts in slot k of the table, `Edge::bucket`: there are no more buckets than edges. One bucket
+/// Bucket k is a list that starts in slot k of the table, `EdgeSlot::bucket`: there are no more buckets than edges. One bucket
 /// at a time is sorted. Where the rows are as many as the edges, there is little left to sort.
 struct Waiting {
     /// The next edges, sorted.
@@ -173,7 +173,7 @@ struct Waiting {
 }
 
 impl Waiting {
-    fn new(table: &[Edge], loaded: &Loaded) -> Self {
+    fn new(table: &[EdgeSlot], loaded: &Loaded) -> Self {
         let mut waiting = Self { list: END, row: i32::MAX, bucket: 0 };
         let rows = unsigned(loaded.end.wrapping_sub(loaded.first));
         // In a small image there is one bucket.
@@ -195,7 +195,7 @@ impl Waiting {
     }
 
     /// Sorts the next bucket that is not empty.
-    fn refill(&mut self, table: &[Edge]) {
+    fn refill(&mut self, table: &[EdgeSlot]) {
         (self.list, self.row) = (END, i32::MAX);
         while let Some(slot) = table.get(self.bucket) {
             self.bucket = self.bucket.wrapping_add(1);
@@ -210,7 +210,7 @@ impl Waiting {
     }
 
     /// Cuts off the edges of the next row.
-    fn take(&mut self, table: &[Edge]) -> u16 {
+    fn take(&mut self, table: &[EdgeSlot]) -> u16 {
         let list = self.list;
         let Some(mut last) = get(table, list) else { return END };
         loop {
@@ -235,7 +235,7 @@ impl Waiting {
 ///
 /// While only two edges are active, down to where one ends or another joins, a round of the outer loop is many rows: what
 /// two edges of closed contours enclose is inside by either rule, as one goes up and one goes down.
-fn scan(table: &[Edge], loaded: &Loaded, rule: FillRule, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
+fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, emit: &mut impl FnMut(ClippedSpan)) {
     let Some(table) = table.get(..loaded.count) else { return };
     let mut waiting = Waiting::new(table, loaded);
     let (mut active, mut y) = (END, waiting.row);
@@ -276,7 +276,7 @@ fn scan(table: &[Edge], loaded: &Loaded, rule: FillRule, window: Rect, emit: &mu
 
 /// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them.
 #[inline(always)]
-fn next_pair<'a>(table: &'a [Edge], at: &mut usize, rule: FillRule) -> Option<(&'a Edge, &'a Edge)> {
+fn next_pair<'a>(table: &'a [EdgeSlot], at: &mut usize, rule: FillRule) -> Option<(&'a EdgeSlot, &'a EdgeSlot)> {
     let left = table.get(*at)?;
     let (mut right, mut winding) = (left, left.winding());
     *at = usize::from(left.link.get());
@@ -293,7 +293,7 @@ fn next_pair<'a>(table: &'a [Edge], at: &mut usize, rule: FillRule) -> Option<(&
 
 /// The row after the last one on which the first two edges of a list are the only ones, from row y on.
 #[inline(always)]
-fn last_of_two(table: &[Edge], list: u16, y: i32, row: i32) -> i32 {
+fn last_of_two(table: &[EdgeSlot], list: u16, y: i32, row: i32) -> i32 {
     let Some(left) = get(table, list) else { return y };
     match get(table, left.link.get()) {
         Some(right) if right.link.get() == END => row.min(left.end()).min(right.end()),
@@ -303,7 +303,7 @@ fn last_of_two(table: &[Edge], list: u16, y: i32, row: i32) -> i32 {
 
 /// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
 #[inline(always)]
-fn descend(table: &[Edge], active: u16, joining: u16, y: i32) -> u16 {
+fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
     let (list, mut overtaken) = (Cell::new(active), END);
     let (mut end, mut last) = (&list, i32::MIN);
     while let Some(edge) = get(table, end.get()) {

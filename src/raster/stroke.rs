@@ -32,8 +32,8 @@ use fixed::types::I24F8;
 use super::direction::{moved, with_sign, Direction};
 use crate::{
     geom::{
-        flatten::{Contour, Node},
-        Path, Vertex, View,
+        flatten::{Contour, Knot},
+        Path, PointFx, View,
     },
     num::{
         cast::{low_u32, magnitude, unsigned},
@@ -68,12 +68,12 @@ pub enum Join {
 
 /// How a stroke looks: its width, its ends, its corners. `D` is `()` for a solid one, [`Dash`](super::dash::Dash) for dashes.
 /// ```
-/// use embedded_raster::{buffer_bytes, Canvas, Cap, Edge, Framebuffer, Index1, Join, Stroke, Vertex};
+/// use embedded_raster::{buffer_bytes, Canvas, Cap, EdgeSlot, Framebuffer, Index1, Join, Stroke, PointFx};
 /// let mut ram = [0; buffer_bytes::<Index1>(16, 8)];
 /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
-/// let tick = [Vertex::px(2, 2), Vertex::px(6, 6), Vertex::px(14, 1)];
+/// let tick = [PointFx::px(2, 2), PointFx::px(6, 6), PointFx::px(14, 1)];
 /// let stroke = Stroke::px(2).with_join(Join::Round).with_cap(Cap::Round);
-/// frame.stroke_polyline(&tick, false, &stroke, &mut [Edge::EMPTY; 64], Index1::MAX)?;
+/// frame.stroke_polyline(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
 /// let rows = [
 ///     0b0000_0000_0000_0110_u16,
 ///     0b0110_0000_0001_1110,
@@ -152,23 +152,23 @@ impl<D> Stroke<D> {
 impl<D: Dashing> Stroke<D> {
     /// The pieces of a stroked path that `window` may show, as closed contours for [`polygon::fill`](super::polygon::fill)
     /// by [`NonZero`](super::FillRule::NonZero).
-    pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
+    pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = self.pen(window);
         let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach) };
-        let stroke = move |contour| Parts::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen);
+        let stroke = move |contour| Pieces::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen);
         OneByOne { contours, stroke, parts: None }
     }
 
     /// The same of lines from each place to the next, and back to the first one if they are `closed`.
     pub fn of_polyline(
         self,
-        places: &[Vertex],
+        places: &[PointFx],
         closed: bool,
         window: Rect,
-    ) -> impl Iterator<Item = Part> + Clone + use<'_, D> {
+    ) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = self.pen(window);
         let sides = Sides::new(Polyline { places: places.iter(), closed }, pen.view);
-        Parts::new(self.dash.cut(sides, pen), pen)
+        Pieces::new(self.dash.cut(sides, pen), pen)
     }
 }
 
@@ -184,11 +184,11 @@ impl<C, F, P> Iterator for OneByOne<C, F, P>
 where
     C: Iterator,
     F: FnMut(C::Item) -> P,
-    P: Iterator<Item = Part>,
+    P: Iterator<Item = Piece>,
 {
-    type Item = Part;
+    type Item = Piece;
 
-    fn next(&mut self) -> Option<Part> {
+    fn next(&mut self) -> Option<Piece> {
         loop {
             if let Some(part) = self.parts.as_mut().and_then(Iterator::next) {
                 return Some(part);
@@ -206,7 +206,7 @@ pub(crate) use sealed::{Dashing as Sealed, Event, Start};
 impl<D: Sealed> Dashing for D {}
 
 mod sealed {
-    use super::{Direction, Pen, Vertex};
+    use super::{Direction, Pen, PointFx};
 
     /// What happens along a contour.
     #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -214,9 +214,9 @@ mod sealed {
         /// A side, its direction if it may be seen, and what it begins with.
         Side {
             /// From here
-            a: Vertex,
+            a: PointFx,
             /// to here
-            b: Vertex,
+            b: PointFx,
             /// this way.
             u: Option<Direction>,
             /// At `a`.
@@ -227,7 +227,7 @@ mod sealed {
         /// The sides before form a ring.
         Close,
         /// A contour without length.
-        Dot(Vertex),
+        Dot(PointFx),
     }
 
     /// What a side begins with.
@@ -290,14 +290,14 @@ pub struct Pen {
 
 /// Something that has nodes.
 trait Outline: Clone {
-    fn next_node(&mut self) -> Option<Node>;
+    fn next_knot(&mut self) -> Option<Knot>;
     fn is_closed(&self) -> bool;
 }
 
 impl Outline for Contour<'_> {
     #[inline]
-    fn next_node(&mut self) -> Option<Node> {
-        self.next_node()
+    fn next_knot(&mut self) -> Option<Knot> {
+        self.next_knot()
     }
 
     #[inline]
@@ -309,14 +309,14 @@ impl Outline for Contour<'_> {
 /// Lines from place to place.
 #[derive(Clone, Debug)]
 struct Polyline<'a> {
-    places: slice::Iter<'a, Vertex>,
+    places: slice::Iter<'a, PointFx>,
     closed: bool,
 }
 
 impl Outline for Polyline<'_> {
     #[inline]
-    fn next_node(&mut self) -> Option<Node> {
-        self.places.next().map(|&at| Node { at, smooth: false })
+    fn next_knot(&mut self) -> Option<Knot> {
+        self.places.next().map(|&at| Knot { at, smooth: false })
     }
 
     #[inline]
@@ -330,8 +330,8 @@ impl Outline for Polyline<'_> {
 struct Sides<O> {
     outline: O,
     view: View,
-    start: Vertex,
-    last: Option<Node>,
+    start: PointFx,
+    last: Option<Knot>,
     /// There was a side.
     moved: bool,
 }
@@ -339,10 +339,10 @@ struct Sides<O> {
 impl<O: Outline> Sides<O> {
     #[inline]
     fn new(outline: O, view: View) -> Self {
-        Self { outline, view, start: Vertex::from_bits(0, 0), last: None, moved: false }
+        Self { outline, view, start: PointFx::from_bits(0, 0), last: None, moved: false }
     }
 
-    fn side(&mut self, from: Node, b: Vertex) -> Event {
+    fn side(&mut self, from: Knot, b: PointFx) -> Event {
         let ring = !self.moved && self.outline.is_closed();
         let start = match from.smooth {
             _ if ring => Start::Ring,
@@ -361,18 +361,18 @@ impl<O: Outline> Iterator for Sides<O> {
 
     #[inline(never)]
     fn next(&mut self) -> Option<Event> {
-        while let Some(node) = self.outline.next_node() {
+        while let Some(node) = self.outline.next_knot() {
             match self.last.replace(node) {
                 None => self.start = node.at,
                 Some(last) if last.at != node.at => return Some(self.side(last, node.at)),
                 // The same place again: smooth if both are.
-                Some(last) => self.last = Some(Node { smooth: node.smooth && last.smooth, ..node }),
+                Some(last) => self.last = Some(Knot { smooth: node.smooth && last.smooth, ..node }),
             }
         }
         let last = self.last.take()?;
         let closed = self.outline.is_closed();
         if closed && last.at != self.start {
-            self.last = Some(Node { at: self.start, smooth: false });
+            self.last = Some(Knot { at: self.start, smooth: false });
             return Some(self.side(last, self.start));
         }
         Some(match closed {
@@ -385,29 +385,29 @@ impl<O: Outline> Iterator for Sides<O> {
 
 /// The pieces of a stroke.
 #[derive(Clone, Debug)]
-struct Parts<E> {
+struct Pieces<E> {
     events: E,
     pen: Pen,
     /// What comes after the piece that was taken last.
-    pending: Option<Part>,
+    pending: Option<Piece>,
     /// Where the last side ended, and its direction if it was seen.
-    last: Option<(Vertex, Option<Direction>)>,
+    last: Option<(PointFx, Option<Direction>)>,
     /// The direction of the first side.
     first: Option<Direction>,
 }
 
-impl<E: Iterator<Item = Event>> Parts<E> {
+impl<E: Iterator<Item = Event>> Pieces<E> {
     #[inline]
     fn new(events: E, pen: Pen) -> Self {
         Self { events, pen, pending: None, last: None, first: None }
     }
 }
 
-impl<E: Iterator<Item = Event>> Iterator for Parts<E> {
-    type Item = Part;
+impl<E: Iterator<Item = Event>> Iterator for Pieces<E> {
+    type Item = Piece;
 
     #[inline(never)]
-    fn next(&mut self) -> Option<Part> {
+    fn next(&mut self) -> Option<Piece> {
         if let Some(part) = self.pending.take() {
             return Some(part);
         }
@@ -447,14 +447,14 @@ impl<E: Iterator<Item = Event>> Iterator for Parts<E> {
 
 impl Pen {
     #[inline(never)]
-    fn side(&self, a: Vertex, b: Vertex, u: Direction) -> Part {
+    fn side(&self, a: PointFx, b: PointFx, u: Direction) -> Piece {
         let (right, left) = (u.right().offset(self.width), u.right().back().offset(self.width));
-        Part::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
+        Piece::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
     }
 
     /// The end of a side that goes this way.
     #[inline(never)]
-    fn cap(&self, at: Vertex, u: Option<Direction>) -> Option<Part> {
+    fn cap(&self, at: PointFx, u: Option<Direction>) -> Option<Piece> {
         let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
         let (r, l) = (right.offset(self.width), left.offset(self.width));
         match self.cap {
@@ -463,14 +463,14 @@ impl Pen {
                 // Ahead is what lies to the left of the right.
                 let ahead = (r.1, l.0);
                 let sum = |o: (i32, i32)| (o.0.wrapping_add(ahead.0), o.1.wrapping_add(ahead.1));
-                Some(Part::new([moved(at, r), moved(at, sum(r)), moved(at, sum(l)), moved(at, l)], 4))
+                Some(Piece::new([moved(at, r), moved(at, sum(r)), moved(at, sum(l)), moved(at, l)], 4))
             }
             Cap::Round => Some(self.wedge(at, right, left, Join::Round)),
         }
     }
 
     /// Between two sides that meet.
-    fn join(&self, at: Vertex, last: Option<Direction>, next: Option<Direction>, smooth: bool) -> Option<Part> {
+    fn join(&self, at: PointFx, last: Option<Direction>, next: Option<Direction>, smooth: bool) -> Option<Piece> {
         let (last, next) = (last?, next?);
         let turn = last.cross(next);
         if turn == 0 && last.dot(next) > 0 || self.view.hides(at, at, 0) {
@@ -483,17 +483,17 @@ impl Pen {
     }
 
     #[inline(never)]
-    fn wedge(&self, at: Vertex, from: Direction, to: Direction, join: Join) -> Part {
+    fn wedge(&self, at: PointFx, from: Direction, to: Direction, join: Join) -> Piece {
         let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));
         match join {
             Join::Miter => match self.tip(from, to) {
-                Some(tip) => Part::new([at, start, moved(at, tip), end], 4),
-                None => Part::new([at, start, end, end], 3),
+                Some(tip) => Piece::new([at, start, moved(at, tip), end], 4),
+                None => Piece::new([at, start, end, end], 3),
             },
-            Join::Bevel => Part::new([at, start, end, end], 3),
+            Join::Bevel => Piece::new([at, start, end, end], 3),
             Join::Round => {
                 let fan = Fan { centre: at, last: from, end: to, turn: self.turn, width: self.width };
-                Part { fan: Some(fan), ..Part::new([at, start, end, end], 3) }
+                Piece { fan: Some(fan), ..Piece::new([at, start, end, end], 3) }
             }
         }
     }
@@ -515,8 +515,8 @@ impl Pen {
 
 /// One piece of a stroke: the vertices of a convex contour.
 #[derive(Clone, Debug)]
-pub struct Part {
-    corners: [Vertex; 4],
+pub struct Piece {
+    corners: [PointFx; 4],
     len: usize,
     /// How many corners are given out.
     done: usize,
@@ -524,17 +524,17 @@ pub struct Part {
     fan: Option<Fan>,
 }
 
-impl Part {
-    const fn new(corners: [Vertex; 4], len: usize) -> Self {
+impl Piece {
+    const fn new(corners: [PointFx; 4], len: usize) -> Self {
         Self { corners, len, done: 0, fan: None }
     }
 }
 
-impl Iterator for Part {
-    type Item = Vertex;
+impl Iterator for Piece {
+    type Item = PointFx;
 
     #[inline(never)]
-    fn next(&mut self) -> Option<Vertex> {
+    fn next(&mut self) -> Option<PointFx> {
         if self.done == 2 {
             if let Some(v) = self.fan.as_mut().and_then(Fan::next) {
                 return Some(v);
@@ -549,7 +549,7 @@ impl Iterator for Part {
 /// Vertices on a circle, between two offsets of at most half a turn.
 #[derive(Clone, Debug)]
 struct Fan {
-    centre: Vertex,
+    centre: PointFx,
     last: Direction,
     end: Direction,
     turn: (i32, i32),
@@ -557,7 +557,7 @@ struct Fan {
 }
 
 impl Fan {
-    fn next(&mut self) -> Option<Vertex> {
+    fn next(&mut self) -> Option<PointFx> {
         self.last = self.last.turned(self.turn);
         (self.last.cross(self.end) < 0).then(|| moved(self.centre, self.last.offset(self.width)))
     }

@@ -10,7 +10,7 @@
 //!    b-------------c     drawn: x0 <= x < x1, the same rounding on both sides
 //! ```
 //! There are two ways to the same pixels. [`fill`] solves each row for its two ends, the crossings of
-//! [`Edge`](super::Edge): what flat fills use. [`walk`] steps the three edge functions over the bounding box: what values
+//! [`EdgeSlot`](super::EdgeSlot): what flat fills use. [`walk`] steps the three edge functions over the bounding box: what values
 //! that change across the triangle build on.
 //!
 //! The *long* side from the top corner to the bottom one faces two short ones. Which of two sides is the left one need not be
@@ -33,7 +33,7 @@ use core::{
 
 use super::edge::{Slope, Sum};
 use crate::{
-    geom::{bits, Vertex},
+    geom::{bits, PointFx},
     num::{
         cast::{narrow, unsigned},
         round::{compare_products, difference, first_centre_from},
@@ -50,14 +50,14 @@ use crate::{
 ///
 /// Cannot fail. A triangle without area emits nothing.
 /// ```
-/// use embedded_raster::{raster::triangle, Rect, Vertex};
+/// use embedded_raster::{raster::triangle, Rect, PointFx};
 /// let mut widths = vec![];
-/// let corners = [Vertex::px(0, 0), Vertex::px(4, 0), Vertex::px(0, 4)];
+/// let corners = [PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)];
 /// triangle::fill(corners, Rect::new(0, 0, 64, 48), |s| widths.push(s.len()));
 /// assert_eq!(widths, [3, 2, 1]); // centres on the slope, a right edge, are out
 /// ```
 #[inline]
-pub fn fill(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
+pub fn fill(corners: [PointFx; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
     fill_to(corners, window, &mut { emit });
 }
 
@@ -76,7 +76,7 @@ impl<F: FnMut(ClippedSpan)> Sink for F {
 
 /// [`fill`] into a sink.
 #[inline(always)]
-pub(crate) fn fill_to(corners: [Vertex; 3], window: Rect, sink: &mut impl Sink) {
+pub(crate) fn fill_to(corners: [PointFx; 3], window: Rect, sink: &mut impl Sink) {
     let corners = sorted(corners.map(bits));
     if DIVIDES && !COMPACT {
         fill_by_sums(corners, window, sink);
@@ -220,7 +220,7 @@ fn sorted([mut a, mut b, mut c]: [(i32, i32); 3]) -> [(i32, i32); 3] {
 /// `floor(E / 256)` has the sign of E for ever, and its steps are plain dx and dy: in a box of 2,048 pixels all of it
 /// fits 32 bits, beyond that the same loop runs in 64.
 #[inline]
-pub fn walk(corners: [Vertex; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
+pub fn walk(corners: [PointFx; 3], window: Rect, emit: impl FnMut(ClippedSpan)) {
     let [a, mut b, mut c] = corners.map(bits);
     let products = (difference(b.0, a.0), difference(c.1, a.1), difference(b.1, a.1), difference(c.0, a.0));
     match compare_products((products.0, products.1), (products.2, products.3)) {
@@ -315,7 +315,7 @@ mod tests {
     use std::{vec, vec::Vec};
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
-        let vertices = corners.map(|(x, y)| Vertex::from_bits(x, y));
+        let vertices = corners.map(|(x, y)| PointFx::from_bits(x, y));
         let mut spans = [vec![], vec![], vec![]];
         fill_by_steps(sorted(corners), window, &mut |s: ClippedSpan| spans[0].push((s.y(), s.x0(), s.x1())));
         walk(vertices, window, |s| spans[1].push((s.y(), s.x0(), s.x1())));

@@ -216,7 +216,7 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
         x.wrapping_sub(distance(found, end))
     }
 
-    /// Paints down from a pixel of the window, or up, where the way is one pixel wide: see `Field::corridor`. `None` where
+    /// Paints down from a pixel of the window, or up, where the way is one pixel wide: see `FloodTarget::corridor`. `None` where
     /// that has to be found out pixel by pixel: at the sides of the window, and where pixels share a byte.
     #[inline(always)]
     pub(crate) fn corridor(

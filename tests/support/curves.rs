@@ -1,6 +1,6 @@
 //! Paths and their flattening, word for word, in integers of 128 bits.
 
-use embedded_raster::{PathSegment, Vertex};
+use embedded_raster::{PathSegment, PointFx};
 
 use super::{rng::Rng, scenes::outline, scenes::Scale, Units};
 
@@ -15,7 +15,7 @@ pub(crate) enum Piece {
 }
 
 pub(crate) fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
-    let v = |p: Units| Vertex::from_bits(p.0, p.1);
+    let v = |p: Units| PointFx::from_bits(p.0, p.1);
     let segment = |piece: &Piece| match *piece {
         Piece::Move(a) => PathSegment::MoveTo(v(a)),
         Piece::Line(a) => PathSegment::LineTo(v(a)),

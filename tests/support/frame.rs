@@ -14,7 +14,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::{row_bytes, Lsb0},
-    Bitmap, Canvas, Edge, Ellipse, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
+    Bitmap, Canvas, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
 };
 
 use super::{
@@ -89,7 +89,7 @@ impl Shape {
             Self::Line(a, b) => surface.draw_line(Point::new(a.0, a.1), Point::new(b.0, b.1), color),
             Self::Triangle(units) => surface.fill_triangle(corners(*units), color),
             Self::Polygon(units) => {
-                let mut table = [Edge::EMPTY; 16];
+                let mut table = [EdgeSlot::EMPTY; 16];
                 surface.fill_polygon(&vertices(units), FillRule::EvenOdd, &mut table, color).expect("enough slots");
             }
             Self::Rectangle(units) => {

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use embedded_raster::{
-    raster::flood::{Field, Reach},
+    raster::flood::{Connectivity, FloodTarget},
     ClippedSpan, Rect,
 };
 
@@ -37,7 +37,7 @@ impl Letters {
     }
 
     /// The twin: a breadth-first search for the pixels of the seed's letter.
-    pub(crate) fn flooded(&self, seed: (i32, i32), reach: Reach) -> Self {
+    pub(crate) fn flooded(&self, seed: (i32, i32), reach: Connectivity) -> Self {
         let mut result = self.clone();
         let mut queue = VecDeque::from([seed]);
         while let Some((x, y)) = queue.pop_front() {
@@ -46,7 +46,7 @@ impl Letters {
             }
             result.pixels[(y * self.width + x) as usize] = b'#';
             queue.extend([(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)]);
-            if reach == Reach::Corners {
+            if reach == Connectivity::Corners {
                 queue.extend([(x - 1, y - 1), (x + 1, y - 1), (x - 1, y + 1), (x + 1, y + 1)]);
             }
         }
@@ -54,7 +54,7 @@ impl Letters {
     }
 }
 
-impl Field for Letters {
+impl FloodTarget for Letters {
     fn window(&self) -> Rect {
         Rect::new(0, 0, self.width, self.height)
     }

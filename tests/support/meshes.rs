@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use embedded_raster::{
     geom::{
         delaunay,
-        triangulate::{self, Node},
+        triangulate::{self, SideSlot},
     },
     raster::triangle,
     Error, FillRule, Rect,
@@ -65,7 +65,7 @@ pub(crate) fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16;
     let places = vertices(&units);
     let needed = nodes(contours);
     let mut triangles = vec![[u16::MAX; 3]; needed.saturating_sub(2)];
-    let mut scratch = vec![Node::EMPTY; needed];
+    let mut scratch = vec![SideSlot::EMPTY; needed];
     let count = triangulate::list(&places, &starts, &mut scratch, &mut triangles)?;
     triangles.truncate(count);
     Ok((units, triangles))

@@ -25,22 +25,22 @@ pub(crate) mod strokes;
 pub(crate) mod tools;
 pub(crate) mod twins;
 
-use embedded_raster::{ClippedSpan, Rect, Vertex};
+use embedded_raster::{ClippedSpan, PointFx, Rect};
 
-/// A place in 24.8 units: what a [`Vertex`] is made of.
+/// A place in 24.8 units: what a [`PointFx`] is made of.
 pub(crate) type Units = (i32, i32);
 
 /// A span as numbers: row, first pixel, the pixel after the last.
 pub(crate) type Run = (i32, i32, i32);
 
 /// Vertices of places in 24.8 units.
-pub(crate) fn vertices(units: &[Units]) -> Vec<Vertex> {
-    units.iter().map(|&(x, y)| Vertex::from_bits(x, y)).collect()
+pub(crate) fn vertices(units: &[Units]) -> Vec<PointFx> {
+    units.iter().map(|&(x, y)| PointFx::from_bits(x, y)).collect()
 }
 
 /// Three vertices.
-pub(crate) fn corners(units: [Units; 3]) -> [Vertex; 3] {
-    units.map(|(x, y)| Vertex::from_bits(x, y))
+pub(crate) fn corners(units: [Units; 3]) -> [PointFx; 3] {
+    units.map(|(x, y)| PointFx::from_bits(x, y))
 }
 
 /// What a filler emits, checked on the way: inside the window, not empty, top row first, left to right, no overlap. Spans

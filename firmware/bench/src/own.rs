@@ -5,10 +5,10 @@ use core::marker::PhantomData;
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_raster::pixel::row_bytes;
-use embedded_raster::raster::flood::{Pending, Reach};
+use embedded_raster::raster::flood::{Connectivity, FloodSlot};
 use embedded_raster::{
-    Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index8, Join, Palette, Path, PathSegment, PixelFormat, Radii,
-    Stroke, Surface, Vertex,
+    Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index8, Join, Palette, Path, PathSegment, PixelFormat,
+    PointFx, Radii, Stroke, Surface,
 };
 
 use fixed::types::I24F8;
@@ -24,14 +24,14 @@ use crate::scene::{
 #[repr(align(4))]
 pub struct Frame<F> {
     memory: [u8; Format::Rgb565.frame_bytes()],
-    table: [Edge; 256],
+    table: [EdgeSlot; 256],
     format: PhantomData<F>,
 }
 
 impl<F: PixelFormat> Frame<F> {
     /// All zero.
     pub const fn new() -> Self {
-        Self { memory: [0; Format::Rgb565.frame_bytes()], table: [Edge::EMPTY; 256], format: PhantomData }
+        Self { memory: [0; Format::Rgb565.frame_bytes()], table: [EdgeSlot::EMPTY; 256], format: PhantomData }
     }
 
     fn surface(&mut self) -> Framebuffer<'_, F> {
@@ -150,9 +150,9 @@ fn flood<F: PixelFormat>(frame: &mut Frame<F>, flooded: &Flooded<'_>) {
             }
         }
     }
-    let mut table = [Pending::EMPTY; 16];
-    surface.flood_fill(flooded.seed, Reach::Sides, first, &mut table);
-    surface.flood_fill(flooded.seed, Reach::Sides, second, &mut table);
+    let mut table = [FloodSlot::EMPTY; 16];
+    surface.flood_fill(flooded.seed, Connectivity::Sides, first, &mut table);
+    surface.flood_fill(flooded.seed, Connectivity::Sides, second, &mut table);
 }
 
 fn polygon<F: PixelFormat>(frame: &mut Frame<F>, outline: &Outline<'_>) {
@@ -184,7 +184,7 @@ fn thick<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
     let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
     let stroke = Stroke::px(THICK as u16);
     for line in lines {
-        let ends = line.ends.map(Vertex::centre_of);
+        let ends = line.ends.map(PointFx::centre_of);
         surface.stroke_line(ends, &stroke, &mut frame.table, color::<F>(line.ink)).unwrap();
     }
 }
@@ -203,8 +203,8 @@ fn track<F: PixelFormat>(frame: &mut Frame<F>, track: &Track<'_>) {
     }
 }
 
-fn vertex([x, y]: [i32; 2]) -> Vertex {
-    Vertex::from_bits(x, y)
+fn vertex([x, y]: [i32; 2]) -> PointFx {
+    PointFx::from_bits(x, y)
 }
 
 fn bitmap<'a, F: PixelFormat>(sprite: &Sprite<'a>) -> Bitmap<'a, F> {

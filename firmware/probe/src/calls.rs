@@ -8,23 +8,23 @@ use embedded_graphics_core::{
     prelude::DrawTarget,
     primitives::Rectangle,
 };
-use fixed::types::I24F8;
 use embedded_raster::{
     geom::{
-        clip::{self, Part},
+        clip::{self, Clipped},
         delaunay, exact, polygon,
-        triangulate::{self, Node},
+        triangulate::{self, SideSlot},
         Viewport,
     },
     pixel::{Be, Lsb0, Xrgb8888},
     raster::{
-        flood::{Pending, Reach},
+        flood::{Connectivity, FloodSlot},
         triangle,
     },
     surface::{Counter, Paged},
-    Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment,
-    PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
+    Angle, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path,
+    PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
+use fixed::types::I24F8;
 
 /// A framebuffer as a driver hands it over.
 #[repr(C)]
@@ -57,8 +57,8 @@ impl Memory {
     }
 }
 
-fn vertex([x, y]: [i32; 2]) -> Vertex {
-    Vertex::from_bits(x, y)
+fn vertex([x, y]: [i32; 2]) -> PointFx {
+    PointFx::from_bits(x, y)
 }
 
 macro_rules! entry_points {
@@ -83,9 +83,9 @@ macro_rules! entry_points {
             })
         }
         #[no_mangle]
-        pub unsafe extern "C" fn $flood(m: &Memory, at: [i32; 2], p: *mut Pending, slots: usize, border: u32, corners: bool) -> bool {
+        pub unsafe extern "C" fn $flood(m: &Memory, at: [i32; 2], p: *mut FloodSlot, slots: usize, border: u32, corners: bool) -> bool {
             let (at, table) = (Point::new(at[0], at[1]), slice::from_raw_parts_mut(p, slots));
-            let reach = if corners { Reach::Corners } else { Reach::Sides };
+            let reach = if corners { Connectivity::Corners } else { Connectivity::Sides };
             m.with::<$format>(|frame, color| {
                 frame.flood_fill(at, reach, color, table);
                 frame.flood_fill_to(at, <$format>::unpack(border), reach, color, table);
@@ -115,7 +115,7 @@ macro_rules! entry_points {
             m.with::<$format>(|frame, color| frame.fill_triangle(corners.map(vertex), color))
         }
         #[no_mangle]
-        pub unsafe extern "C" fn $polygon(m: &Memory, v: *const Vertex, n: usize, e: *mut Edge, slots: usize, odd: bool) -> bool {
+        pub unsafe extern "C" fn $polygon(m: &Memory, v: *const PointFx, n: usize, e: *mut EdgeSlot, slots: usize, odd: bool) -> bool {
             let rule = if odd { FillRule::EvenOdd } else { FillRule::NonZero };
             let (outline, table) = (slice::from_raw_parts(v, n), slice::from_raw_parts_mut(e, slots));
             let mut fits = false;
@@ -197,7 +197,13 @@ entry_points! {
 }
 
 #[no_mangle]
-pub unsafe extern "C" fn path_fill(m: &Memory, p: *const PathSegment, n: usize, e: *mut Edge, slots: usize) -> bool {
+pub unsafe extern "C" fn path_fill(
+    m: &Memory,
+    p: *const PathSegment,
+    n: usize,
+    e: *mut EdgeSlot,
+    slots: usize,
+) -> bool {
     let (path, table) = (Path::new(slice::from_raw_parts(p, n)), slice::from_raw_parts_mut(e, slots));
     let mut fits = false;
     m.with::<Rgb565>(|frame, color| {
@@ -211,7 +217,7 @@ pub unsafe extern "C" fn path_stroke(
     m: &Memory,
     p: *const PathSegment,
     n: usize,
-    e: *mut Edge,
+    e: *mut EdgeSlot,
     slots: usize,
     stroke: &Stroke,
     lengths: *const I24F8,
@@ -228,7 +234,14 @@ pub unsafe extern "C" fn path_stroke(
 }
 
 #[no_mangle]
-pub unsafe extern "C" fn line_stroke(m: &Memory, v: *const Vertex, n: usize, e: *mut Edge, slots: usize, stroke: &Stroke) -> bool {
+pub unsafe extern "C" fn line_stroke(
+    m: &Memory,
+    v: *const PointFx,
+    n: usize,
+    e: *mut EdgeSlot,
+    slots: usize,
+    stroke: &Stroke,
+) -> bool {
     let (places, table) = (slice::from_raw_parts(v, n), slice::from_raw_parts_mut(e, slots));
     let mut fits = false;
     m.with::<Gray8>(|frame, color| {
@@ -290,11 +303,11 @@ pub extern "C" fn palette(p: &mut Palette<Rgb888, 16>, range: [usize; 2], by: us
 
 #[no_mangle]
 pub unsafe extern "C" fn triangulate(
-    v: *const Vertex,
+    v: *const PointFx,
     n: usize,
     s: *const u16,
     further: usize,
-    nodes: *mut Node,
+    nodes: *mut SideSlot,
     slots: usize,
     t: *mut [u16; 3],
     most: usize,
@@ -311,7 +324,7 @@ pub unsafe extern "C" fn triangulate(
 
 #[no_mangle]
 pub unsafe extern "C" fn refine(
-    v: *const Vertex,
+    v: *const PointFx,
     n: usize,
     t: *mut [u16; 3],
     count: usize,
@@ -323,7 +336,7 @@ pub unsafe extern "C" fn refine(
 }
 
 #[no_mangle]
-pub unsafe extern "C" fn outline(v: *const Vertex, n: usize, at: [i32; 2], area: &mut i128) -> u8 {
+pub unsafe extern "C" fn outline(v: *const PointFx, n: usize, at: [i32; 2], area: &mut i128) -> u8 {
     let outline = slice::from_raw_parts(v, n);
     *area = polygon::twice_area(outline);
     let inside = polygon::contains([outline], FillRule::EvenOdd, vertex(at));
@@ -338,13 +351,13 @@ pub extern "C" fn signs(p: [[i32; 2]; 4]) -> bool {
 }
 
 #[no_mangle]
-pub extern "C" fn clip_segment(p: [[i32; 2]; 4], out: &mut Option<Part>) {
+pub extern "C" fn clip_segment(p: [[i32; 2]; 4], out: &mut Option<Clipped>) {
     let [a, b, c, d] = p.map(vertex);
     *out = clip::segment(a, b, [c, d]);
 }
 
 #[no_mangle]
-pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut Vertex) -> i32 {
+pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut PointFx) -> i32 {
     let [x0, y0, x1, y1] = area;
     let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
     *out = view.vertex_from_bits(at);

@@ -4,13 +4,13 @@
 #[path = "../../board/src/crc.rs"]
 mod crc;
 
-use embedded_raster::Edge;
+use embedded_raster::EdgeSlot;
 use scene::{EDGES, FRAMES};
 
 fn main() -> Result<(), embedded_raster::Error> {
     for frame in FRAMES {
         let mut memory = vec![0; frame.bytes];
-        (frame.draw)(&mut memory, &mut [Edge::EMPTY; EDGES])?;
+        (frame.draw)(&mut memory, &mut [EdgeSlot::EMPTY; EDGES])?;
         println!("{};{};0.0;0;{:08x}", frame.name, frame.format, crc::crc32(&memory));
     }
     Ok(())

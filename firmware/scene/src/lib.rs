@@ -10,8 +10,8 @@ pub mod page;
 pub mod shapes;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::raster::flood::Pending;
-use embedded_raster::{Edge, Error, Framebuffer, Index1, Index4, PixelFormat};
+use embedded_raster::raster::flood::FloodSlot;
+use embedded_raster::{EdgeSlot, Error, Framebuffer, Index1, Index4, PixelFormat};
 
 /// Columns of the screen.
 pub const WIDTH: u16 = 320;
@@ -29,7 +29,7 @@ pub struct Frame {
     /// Bytes of memory that it takes.
     pub bytes: usize,
     /// Draws it on that many bytes, whatever they hold.
-    pub draw: fn(&mut [u8], &mut [Edge]) -> Result<(), Error>,
+    pub draw: fn(&mut [u8], &mut [EdgeSlot]) -> Result<(), Error>,
 }
 
 /// All of them.
@@ -44,11 +44,11 @@ pub const FRAMES: [Frame; 6] = [
 
 const fn page<F: PixelFormat>(format: &'static str) -> Frame {
     let bytes = embedded_raster::buffer_bytes::<F>(WIDTH, HEIGHT);
-    let draw = |memory: &mut [u8], table: &mut [Edge]| {
+    let draw = |memory: &mut [u8], table: &mut [EdgeSlot]| {
         let ink = |ink: page::Ink| F::unpack(u32::from(ink).wrapping_mul(0x1357) & u32::MAX >> (32 - F::BITS));
         let mut frame = Framebuffer::<F>::new(memory, WIDTH, HEIGHT)?;
         page::draw(&mut frame, table, ink)?;
-        page::pour(&mut frame, &mut [Pending::EMPTY; 16], ink)
+        page::pour(&mut frame, &mut [FloodSlot::EMPTY; 16], ink)
     };
     Frame { name: "page", format, bytes, draw }
 }

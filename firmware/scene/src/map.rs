@@ -10,7 +10,7 @@
 
 use core::slice;
 
-use embedded_raster::{buffer_bytes, Canvas, Edge, Error, FillRule, Framebuffer, Index4, Vertex};
+use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index4, PointFx};
 
 use crate::{HEIGHT, WIDTH};
 
@@ -28,7 +28,7 @@ const LAND: [u8; 7] = [2, 3, 6, 7, 10, 12, 14];
 ///
 /// # Errors
 /// `memory` is shorter than [`BYTES`], or `table` than the sides of a country in one row.
-pub fn draw(memory: &mut [u8], table: &mut [Edge]) -> Result<(), Error> {
+pub fn draw(memory: &mut [u8], table: &mut [EdgeSlot]) -> Result<(), Error> {
     let mut frame = Framebuffer::<Index4>::new(memory, WIDTH, HEIGHT)?;
     frame.clear(SEA);
     for (country, &color) in countries().zip(LAND.iter().cycle()) {
@@ -37,7 +37,7 @@ pub fn draw(memory: &mut [u8], table: &mut [Edge]) -> Result<(), Error> {
     for ring in countries().flatten() {
         // Closed: from the last point to the first.
         let last = ring.clone().last();
-        frame.draw_polyline(last.into_iter().chain(ring).map(Vertex::pixel), BORDER);
+        frame.draw_polyline(last.into_iter().chain(ring).map(PointFx::pixel), BORDER);
     }
     Ok(())
 }
@@ -77,17 +77,17 @@ impl Iterator for Rings {
 struct Ring(slice::Iter<'static, [i16; 2]>);
 
 impl Iterator for Ring {
-    type Item = Vertex;
+    type Item = PointFx;
 
     #[inline]
-    fn next(&mut self) -> Option<Vertex> {
+    fn next(&mut self) -> Option<PointFx> {
         self.0.next().copied().map(project)
     }
 }
 
-fn project([longitude, latitude]: [i16; 2]) -> Vertex {
+fn project([longitude, latitude]: [i16; 2]) -> PointFx {
     const X: u32 = 74_566;
     const Y: u32 = 223_697;
     let (east, south) = ((i32::from(longitude) + 18_000) as u32, (9_000 - i32::from(latitude)) as u32);
-    Vertex::from_bits((east * X >> 15) as i32, (south * Y >> 16) as i32)
+    PointFx::from_bits((east * X >> 15) as i32, (south * Y >> 16) as i32)
 }

@@ -9,7 +9,7 @@ use embedded_graphics::framebuffer::Framebuffer as EgFramebuffer;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::Point;
-use embedded_raster::{buffer_bytes, Bitmap, Framebuffer, PixelFormat, Rect, Vertex};
+use embedded_raster::{buffer_bytes, Bitmap, Framebuffer, PixelFormat, PointFx, Rect};
 
 /// Columns of the screen.
 pub const WIDTH: u16 = 320;
@@ -104,8 +104,8 @@ pub fn points() -> [Point; 2] {
 
 /// Three places, not known either.
 #[inline]
-pub fn corners() -> [Vertex; 3] {
-    black_box([Vertex::from_bits(1_000, 2_000), Vertex::from_bits(80_000, 9_000), Vertex::from_bits(-3_000, 60_000)])
+pub fn corners() -> [PointFx; 3] {
+    black_box([PointFx::from_bits(1_000, 2_000), PointFx::from_bits(80_000, 9_000), PointFx::from_bits(-3_000, 60_000)])
 }
 
 /// A box, not known either.

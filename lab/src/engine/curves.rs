@@ -2,7 +2,7 @@
 //!
 //! Those in `f32` leave places in `f32`, this crate's leave vertices of 1/256 pixel.
 
-use embedded_raster::{Path, Vertex};
+use embedded_raster::{Path, PointFx};
 
 use super::{entry, Engine, Entry, Origin};
 use crate::{judge::Polyline, shape::Curve};
@@ -30,7 +30,7 @@ pub(crate) fn entries() -> Vec<Entry<Curve, Polyline>> {
             "halved until flat: `Path::contours`",
             Crate,
             flattener(
-                |out: &mut Vec<Vertex>, c| out.extend(Path::new(&c.segments).contours().flatten()),
+                |out: &mut Vec<PointFx>, c| out.extend(Path::new(&c.segments).contours().flatten()),
                 |v| (v.x.to_num(), v.y.to_num()),
             ),
         ),

@@ -4,7 +4,7 @@ use embedded_graphics::{
     geometry::Point,
     pixelcolor::{Rgb565, RgbColor},
 };
-use embedded_raster::raster::flood::{Pending, Reach};
+use embedded_raster::raster::flood::{Connectivity, FloodSlot};
 
 use super::{entry, ink, own, plain, Entry, Origin};
 use crate::{
@@ -29,7 +29,7 @@ fn ours<const SLOTS: usize>(frame: &mut Own<'_>, pool: &Pool) {
     use embedded_raster::{Bitmap, Index1};
     let walls = Bitmap::<Index1>::new(&pool.bits, WIDTH as u16, HEIGHT as u16).expect("a bit a pixel");
     frame.blit_mask(Point::new(0, 0), &walls, Rgb565::WHITE, Rgb565::BLACK);
-    frame.flood_fill(pool.seed, Reach::Sides, ink(), &mut [Pending::EMPTY; SLOTS]);
+    frame.flood_fill(pool.seed, Connectivity::Sides, ink(), &mut [FloodSlot::EMPTY; SLOTS]);
 }
 
 /// Pushes the four neighbours of every pixel.

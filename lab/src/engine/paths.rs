@@ -1,6 +1,6 @@
 //! Ways to fill what cubic Bézier curves enclose, by the even-odd rule.
 
-use embedded_raster::{raster::polygon, Canvas, Edge, FillRule::EvenOdd, Path};
+use embedded_raster::{raster::polygon, Canvas, EdgeSlot, FillRule::EvenOdd, Path};
 
 use super::{
     curves::{halve, uniform},
@@ -18,12 +18,12 @@ const TABLE: usize = 256;
 
 pub(crate) fn entries() -> Vec<Entry<Blob>> {
     use Origin::{Crate, Peer, Textbook};
-    let mut table = vec![Edge::EMPTY; TABLE];
+    let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, b: &Blob| {
         let contours = Path::new(&b.segments).contours_in(WINDOW);
         polygon::fill(contours, EvenOdd, WINDOW, &mut table, |s| f.span(s)).expect("the table is large enough");
     };
-    let mut scratch = vec![Edge::EMPTY; TABLE];
+    let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     vec![
         entry("uniform4", "4 lines a curve, f32 edge table", Textbook, plain(|f, b: &Blob| lines::<4>(f, b))),
         entry("uniform16", "16 lines a curve, f32 edge table", Textbook, plain(|f, b: &Blob| lines::<16>(f, b))),

@@ -1,6 +1,6 @@
 //! Ways to fill a polygon by the even-odd rule.
 
-use embedded_raster::{raster::polygon, Canvas, Edge, FillRule::EvenOdd};
+use embedded_raster::{raster::polygon, Canvas, EdgeSlot, FillRule::EvenOdd};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
 use crate::{
@@ -14,12 +14,12 @@ const TABLE: usize = 2048;
 pub(crate) fn entries() -> Vec<Entry<Polygon>> {
     use Origin::{Crate, Peer, Textbook};
     let mut crossings = Vec::new();
-    let mut table = vec![Edge::EMPTY; TABLE];
+    let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, p: &Polygon| {
         let filled = polygon::fill([&p.vertices[..]], EvenOdd, WINDOW, &mut table, |s| f.span(s));
         filled.expect("the table is larger than the outline");
     };
-    let mut scratch = vec![Edge::EMPTY; TABLE];
+    let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     vec![
         entry(
             "float",

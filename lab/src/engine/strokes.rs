@@ -4,7 +4,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Line, PrimitiveStyle},
 };
-use embedded_raster::{raster::polygon, Canvas, Cap, Edge, FillRule::NonZero, Join, Stroke};
+use embedded_raster::{raster::polygon, Canvas, Cap, EdgeSlot, FillRule::NonZero, Join, Stroke};
 use tiny_skia::{LineCap, LineJoin};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
@@ -18,12 +18,12 @@ const TABLE: usize = 512;
 
 pub(crate) fn entries() -> Vec<Entry<Thick>> {
     use Origin::{Crate, Peer, Textbook};
-    let mut table = vec![Edge::EMPTY; TABLE];
+    let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, t: &Thick| {
         let pieces = style(t).of_polyline(&t.vertices, false, WINDOW);
         polygon::fill(pieces, NonZero, WINDOW, &mut table, |s| f.span(s)).expect("the table is large enough");
     };
-    let mut scratch = vec![Edge::EMPTY; TABLE];
+    let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     let mut entries = vec![
         entry("distance", "distance in f32, per pixel", Textbook, plain(|f, t: &Thick| by_distance(f, t))),
         entry(

@@ -4,9 +4,9 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use embedded_raster::{
     buffer_bytes,
     pixel::EGA,
-    raster::flood::{Pending, Reach},
-    Canvas, Edge, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Rect, Surface,
-    Vertex,
+    raster::flood::{Connectivity, FloodSlot},
+    Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, PointFx,
+    Rect, Surface,
 };
 
 use super::command::Command;
@@ -115,17 +115,17 @@ fn draw<C: PixelFormat>(
         Command::Rectangle(corners) => frame.draw_rectangle(area(*corners), color),
         Command::Polygon(corners) => {
             if ink.filled {
-                let outline: Vec<_> = corners.iter().map(|&corner| Vertex::centre_of(corner)).collect();
-                let mut table = vec![Edge::EMPTY; ink.scratch.edges];
+                let outline: Vec<_> = corners.iter().map(|&corner| PointFx::centre_of(corner)).collect();
+                let mut table = vec![EdgeSlot::EMPTY; ink.scratch.edges];
                 frame.fill_polygon(&outline, FillRule::EvenOdd, &mut table, color)?;
             }
             // The pixels that were clicked on belong to it.
             frame.draw_polygon(corners.iter().copied(), color);
         }
         Command::Fill(seed) => {
-            let mut table = vec![Pending::EMPTY; ink.scratch.slots];
-            frame.flood_fill(*seed, Reach::Sides, color, &mut table);
-            return Ok(table.iter().filter(|&&slot| slot != Pending::EMPTY).count());
+            let mut table = vec![FloodSlot::EMPTY; ink.scratch.slots];
+            frame.flood_fill(*seed, Connectivity::Sides, color, &mut table);
+            return Ok(table.iter().filter(|&&slot| slot != FloodSlot::EMPTY).count());
         }
         _ => {}
     }

@@ -5,7 +5,7 @@
 //!                   colors, borders    pixels of each country
 //! ```
 //! * [`Map`]: countries and their rings, in hundredths of a degree.
-//! * [`Projection`]: a place on the globe to a [`Vertex`](embedded_raster::Vertex) on the screen, in integers.
+//! * [`Projection`]: a place on the globe to a [`PointFx`](embedded_raster::PointFx) on the screen, in integers.
 //! * [`World`]: the map projected, and how to [draw](World::draw) it with this library.
 //! * [`Depth`]: what each [`Part`] of it is painted with at 1, 2, 4, 8, 16, 24 and 32 bits per pixel.
 

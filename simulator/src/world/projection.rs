@@ -12,7 +12,7 @@
 //! The result is rounded to 1/256 pixel once. A place is always projected to the same vertex, so neighbours that share
 //! places share vertices.
 
-use embedded_raster::Vertex;
+use embedded_raster::PointFx;
 
 use super::Place;
 
@@ -102,25 +102,25 @@ impl Projection {
 impl Screen {
     /// The vertex of a place.
     /// ```
-    /// use embedded_raster::Vertex;
+    /// use embedded_raster::PointFx;
     /// use embedded_raster_simulator::world::{Place, Projection, Screen};
     /// let screen = Screen { projection: Projection::Equirectangular, width: 320, height: 240 };
-    /// assert_eq!(screen.vertex(Place { lon: 0, lat: 0 }), Vertex::px(160, 120));
-    /// assert_eq!(screen.vertex(Place { lon: -18_000, lat: 9_000 }), Vertex::px(0, 40));
+    /// assert_eq!(screen.vertex(Place { lon: 0, lat: 0 }), PointFx::px(160, 120));
+    /// assert_eq!(screen.vertex(Place { lon: -18_000, lat: 9_000 }), PointFx::px(0, 40));
     /// ```
-    pub fn vertex(self, place: Place) -> Vertex {
+    pub fn vertex(self, place: Place) -> PointFx {
         let (x, y) = self.projection.flat(place);
         let units = |flat: i64| rounded_ratio(flat * self.half_width(), 18_000 * UNIT);
-        Vertex::from_bits(
+        PointFx::from_bits(
             i32::from(self.width) * 128 + units(x), // the middle of the screen is at width / 2 pixels
             i32::from(self.height) * 128 - units(y),
         )
     }
 
     /// The corners of the screen.
-    pub fn corners(self) -> [Vertex; 4] {
+    pub fn corners(self) -> [PointFx; 4] {
         let (w, h) = (self.width.into(), self.height.into());
-        [(0, 0), (w, 0), (w, h), (0, h)].map(|(x, y)| Vertex::px(x, y))
+        [(0, 0), (w, 0), (w, h), (0, h)].map(|(x, y)| PointFx::px(x, y))
     }
 
     /// Half the equator in 1/256 pixel: as much as the width and the height have room for.

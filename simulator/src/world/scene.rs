@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
-use embedded_raster::{surface::Counter, Canvas, Edge, Error, FillRule, Rect, Surface, Vertex};
+use embedded_raster::{surface::Counter, Canvas, EdgeSlot, Error, FillRule, PointFx, Rect, Surface};
 
 use super::{Map, Part, Place, Screen};
 
@@ -38,11 +38,11 @@ impl Layer {
 pub struct World {
     screen: Screen,
     /// The rim of the globe.
-    rim: Vec<Vertex>,
+    rim: Vec<PointFx>,
     /// Meridians and parallels.
     grid: Vec<Vec<Point>>,
     /// The rings of each country.
-    countries: Vec<Vec<Vec<Vertex>>>,
+    countries: Vec<Vec<Vec<PointFx>>>,
     /// A colour for each country.
     colors: Vec<usize>,
     /// Lines of the coasts, then of the borders.
@@ -57,7 +57,7 @@ impl World {
         Self {
             screen,
             rim: project(&rim()),
-            grid: grid().iter().map(|line| project(line).into_iter().map(Vertex::pixel).collect()).collect(),
+            grid: grid().iter().map(|line| project(line).into_iter().map(PointFx::pixel).collect()).collect(),
             countries,
             colors: map.colors(Part::LAND_COLORS),
             lines: [true, false].map(|is_coast| lines(map, screen, is_coast)),
@@ -74,7 +74,7 @@ impl World {
     pub fn draw<S: Surface>(
         &self,
         surface: &mut S,
-        table: &mut [Edge],
+        table: &mut [EdgeSlot],
         layer: Layer,
         ink: impl Fn(Part) -> S::Color,
     ) -> Result<(), Error> {
@@ -107,7 +107,7 @@ impl World {
     }
 
     /// The rings of each country on the screen.
-    pub fn countries(&self) -> &[Vec<Vec<Vertex>>] {
+    pub fn countries(&self) -> &[Vec<Vec<PointFx>>] {
         &self.countries
     }
 
@@ -120,7 +120,7 @@ impl World {
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub fn areas(&self, table: &mut [Edge]) -> Result<Vec<u64>, Error> {
+    pub fn areas(&self, table: &mut [EdgeSlot]) -> Result<Vec<u64>, Error> {
         self.countries.iter().map(|rings| self.area(rings.iter(), table)).collect()
     }
 
@@ -128,11 +128,15 @@ impl World {
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub fn globe(&self, table: &mut [Edge]) -> Result<u64, Error> {
+    pub fn globe(&self, table: &mut [EdgeSlot]) -> Result<u64, Error> {
         self.area([&self.rim].into_iter(), table)
     }
 
-    fn area<'a>(&self, rings: impl Iterator<Item = &'a Vec<Vertex>> + Clone, table: &mut [Edge]) -> Result<u64, Error> {
+    fn area<'a>(
+        &self,
+        rings: impl Iterator<Item = &'a Vec<PointFx>> + Clone,
+        table: &mut [EdgeSlot],
+    ) -> Result<u64, Error> {
         let mut counter = Counter::new(self.window());
         counter.fill_contours(rings, FillRule::EvenOdd, table, BinaryColor::On)?;
         Ok(counter.pixels)

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, Node};
+use super::{down, in_sector, Mesh, SideSlot};
 use crate::{
     geom::exact::{turn_at, Place},
     num::round::difference,
@@ -47,8 +47,8 @@ impl Mesh<'_> {
         };
         let (Some(from), Some(to)) = (node_at(corner, hole), node_at(hole, corner)) else { return };
         let (after, before) = (self.node(from).next, self.node(to).prev);
-        let back = self.push(Node { vertex: hole, flags: SEEN, ..Node::EMPTY });
-        let on = self.push(Node { vertex: corner, flags: SEEN, ..Node::EMPTY });
+        let back = self.push(SideSlot { vertex: hole, flags: SEEN, ..SideSlot::EMPTY });
+        let on = self.push(SideSlot { vertex: corner, flags: SEEN, ..SideSlot::EMPTY });
         self.join(from, to);
         self.join(before, back);
         self.join(back, on);

@@ -36,13 +36,13 @@ use self::sides::Sides;
 use super::{
     bits,
     exact::{turn_at, Place},
-    Vertex,
+    PointFx,
 };
 use crate::error::Error;
 
 /// One slot of scratch memory: a side and the corner where it starts.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Node {
+pub struct SideSlot {
     /// The vertex where the side starts.
     vertex: u16,
     /// The vertex where it ended when it was loaded.
@@ -55,11 +55,11 @@ pub struct Node {
     flags: u16,
 }
 
-impl Node {
+impl SideSlot {
     /// An empty slot, to make a table of.
     /// ```
-    /// use embedded_raster::geom::triangulate::Node;
-    /// static mut NODES: [Node; 64] = [Node::EMPTY; 64];
+    /// use embedded_raster::geom::triangulate::SideSlot;
+    /// static mut NODES: [SideSlot; 64] = [SideSlot::EMPTY; 64];
     /// ```
     pub const EMPTY: Self = Self { vertex: 0, end: 0, prev: 0, next: 0, flags: 0 };
 }
@@ -77,17 +77,22 @@ const LIMIT: usize = u16::MAX as usize;
 /// # Errors
 /// [`Error::SidesCross`] with the first two sides that do, or else [`Error::NodeTableFull`]. Nothing was emitted then.
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, Node}, Error, Vertex};
-/// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx};
+/// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = vec![];
-/// triangulate::each(&arrow, &[], &mut [Node::EMPTY; 4], |triangle| triangles.push(triangle))?;
+/// triangulate::each(&arrow, &[], &mut [SideSlot::EMPTY; 4], |triangle| triangles.push(triangle))?;
 /// assert_eq!(triangles, [[3, 0, 1], [1, 2, 3]]);
-/// let bow_tie = [(0, 0), (4, 4), (4, 0), (0, 4)].map(|(x, y)| Vertex::px(x, y));
-/// let error = triangulate::each(&bow_tie, &[], &mut [Node::EMPTY; 4], |_| {});
+/// let bow_tie = [(0, 0), (4, 4), (4, 0), (0, 4)].map(|(x, y)| PointFx::px(x, y));
+/// let error = triangulate::each(&bow_tie, &[], &mut [SideSlot::EMPTY; 4], |_| {});
 /// assert_eq!(error, Err(Error::SidesCross { first: 0, second: 2 }));
 /// # Ok::<(), Error>(())
 /// ```
-pub fn each(vertices: &[Vertex], starts: &[u16], nodes: &mut [Node], emit: impl FnMut([u16; 3])) -> Result<(), Error> {
+pub fn each(
+    vertices: &[PointFx],
+    starts: &[u16],
+    nodes: &mut [SideSlot],
+    emit: impl FnMut([u16; 3]),
+) -> Result<(), Error> {
     let sides = Sides::new(vertices, starts);
     check(sides, starts.len(), nodes.len().min(LIMIT))?;
     run(sides, nodes, emit);
@@ -103,16 +108,16 @@ pub fn each(vertices: &[Vertex], starts: &[u16], nodes: &mut [Node], emit: impl 
 /// # Errors
 /// Those of [`each`], or else [`Error::TriangleTableFull`].
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, Node}, Error, Vertex};
-/// let frame = [(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (6, 3), (6, 6), (3, 6)].map(|(x, y)| Vertex::px(x, y));
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx};
+/// let frame = [(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (6, 3), (6, 6), (3, 6)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = [[0; 3]; 8];
-/// assert_eq!(triangulate::list(&frame, &[4], &mut [Node::EMPTY; 10], &mut triangles)?, 8);
+/// assert_eq!(triangulate::list(&frame, &[4], &mut [SideSlot::EMPTY; 10], &mut triangles)?, 8);
 /// # Ok::<(), Error>(())
 /// ```
 pub fn list(
-    vertices: &[Vertex],
+    vertices: &[PointFx],
     starts: &[u16],
-    nodes: &mut [Node],
+    nodes: &mut [SideSlot],
     triangles: &mut [[u16; 3]],
 ) -> Result<usize, Error> {
     let sides = Sides::new(vertices, starts);
@@ -142,7 +147,7 @@ fn check(sides: Sides<'_>, further: usize, capacity: usize) -> Result<usize, Err
     Ok(needed)
 }
 
-fn run(sides: Sides<'_>, nodes: &mut [Node], emit: impl FnMut([u16; 3])) {
+fn run(sides: Sides<'_>, nodes: &mut [SideSlot], emit: impl FnMut([u16; 3])) {
     let mut mesh = Mesh { vertices: sides.vertices(), nodes, len: 0 };
     mesh.load(sides);
     mesh.split();
@@ -155,8 +160,8 @@ fn run(sides: Sides<'_>, nodes: &mut [Node], emit: impl FnMut([u16; 3])) {
 
 /// The nodes in use, over the vertices that they name.
 struct Mesh<'a> {
-    vertices: &'a [Vertex],
-    nodes: &'a mut [Node],
+    vertices: &'a [PointFx],
+    nodes: &'a mut [SideSlot],
     len: usize,
 }
 
@@ -168,19 +173,19 @@ impl Mesh<'_> {
     }
 
     #[inline(always)]
-    fn node(&self, i: u16) -> Node {
-        self.nodes.get(usize::from(i)).copied().unwrap_or(Node::EMPTY)
+    fn node(&self, i: u16) -> SideSlot {
+        self.nodes.get(usize::from(i)).copied().unwrap_or(SideSlot::EMPTY)
     }
 
     #[inline(always)]
-    fn set(&mut self, i: u16, change: impl FnOnce(&mut Node)) {
+    fn set(&mut self, i: u16, change: impl FnOnce(&mut SideSlot)) {
         if let Some(node) = self.nodes.get_mut(usize::from(i)) {
             change(node);
         }
     }
 
     /// Adds a node and returns its number. There is room: it was counted.
-    fn push(&mut self, node: Node) -> u16 {
+    fn push(&mut self, node: SideSlot) -> u16 {
         let at = self.len;
         if let Some(slot) = self.nodes.get_mut(at) {
             *slot = node;

@@ -2,17 +2,17 @@
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, Node};
+use super::{down, in_sector, Mesh, SideSlot};
 use crate::geom::{
     bits,
     exact::{turn_at, Place},
-    Vertex,
+    PointFx,
 };
 
 /// The sides of all contours, as the numbers of the vertices where they start and end.
 #[derive(Copy, Clone)]
 pub(super) struct Sides<'a> {
-    vertices: &'a [Vertex],
+    vertices: &'a [PointFx],
     starts: &'a [u16],
     /// The contour: its first vertex, the next side, and the vertex after its last.
     first: usize,
@@ -22,13 +22,13 @@ pub(super) struct Sides<'a> {
 
 impl<'a> Sides<'a> {
     /// Contours that would end before they start, or after the last vertex, are empty.
-    pub(super) fn new(vertices: &'a [Vertex], starts: &'a [u16]) -> Self {
+    pub(super) fn new(vertices: &'a [PointFx], starts: &'a [u16]) -> Self {
         let mut sides = Self { vertices, starts, first: 0, at: 0, end: 0 };
         sides.next_contour();
         sides
     }
 
-    pub(super) fn vertices(&self) -> &'a [Vertex] {
+    pub(super) fn vertices(&self) -> &'a [PointFx] {
         self.vertices
     }
 
@@ -129,7 +129,7 @@ impl Mesh<'_> {
         while let Some((from, to)) = sides.next() {
             let (vertex, end) = (number(from), number(to));
             if vertex != end {
-                self.push(Node { vertex, end, ..Node::EMPTY });
+                self.push(SideSlot { vertex, end, ..SideSlot::EMPTY });
             }
         }
     }
@@ -144,7 +144,7 @@ impl Mesh<'_> {
                 if is_between(self.place(side.vertex), self.place(side.end), self.place(vertex)) {
                     // As vertices are looked at in order, it is the first at its place.
                     self.set(i, |node| node.end = vertex);
-                    self.push(Node { vertex, ..side });
+                    self.push(SideSlot { vertex, ..side });
                 }
             }
             i = i.saturating_add(1);
@@ -156,7 +156,7 @@ impl Mesh<'_> {
         let mut i = 0;
         while usize::from(i) < self.len {
             let side = self.node(i);
-            let same = |other: Node| {
+            let same = |other: SideSlot| {
                 (other.vertex, other.end) == (side.vertex, side.end)
                     || (other.end, other.vertex) == (side.vertex, side.end)
             };
@@ -173,7 +173,7 @@ impl Mesh<'_> {
     /// Puts the last side in place of another.
     fn remove(&mut self, i: u16) {
         self.len = self.len.saturating_sub(1);
-        let last = self.nodes.get(self.len).copied().unwrap_or(Node::EMPTY);
+        let last = self.nodes.get(self.len).copied().unwrap_or(SideSlot::EMPTY);
         self.set(i, |node| *node = last);
     }
 

@@ -45,7 +45,7 @@ pub(super) use self::{
     outline::Border,
 };
 use crate::{
-    geom::{bits, Vertex},
+    geom::{bits, PointFx},
     num::{
         cast::{narrow, saturate, unsigned},
         round::difference,
@@ -89,20 +89,20 @@ impl Ellipse {
 
     /// An ellipse by its centre and semi-axes, to 1/256 pixel. Without two positive radii it is empty.
     #[inline]
-    pub fn new(centre: Vertex, rx: I24F8, ry: I24F8) -> Self {
+    pub fn new(centre: PointFx, rx: I24F8, ry: I24F8) -> Self {
         let (x, y) = bits(centre);
         Self::scaled((x.into(), y.into()), (rx.to_bits().into(), ry.to_bits().into()), 8)
     }
 
     /// A circle by its centre and radius, to 1/256 pixel.
     #[inline]
-    pub fn circle(centre: Vertex, radius: I24F8) -> Self {
+    pub fn circle(centre: PointFx, radius: I24F8) -> Self {
         Self::new(centre, radius, radius)
     }
 
     /// A circle by its centre and *diameter*, to 1/256 pixel: a round point.
     #[inline]
-    pub fn splat(centre: Vertex, size: I24F8) -> Self {
+    pub fn splat(centre: PointFx, size: I24F8) -> Self {
         let (x, y) = bits(centre);
         let radius = size.to_bits().into();
         // Half the diameter is a whole number of units of 1/512 pixel.
@@ -367,12 +367,12 @@ impl AnyRows {
 /// The pixels whose centres lie in a square, given by its centre and its side, to 1/256 pixel: left and top sides in, right
 /// and bottom sides out. A square point.
 /// ```
-/// use embedded_raster::{raster::ellipse, Rect, Vertex};
+/// use embedded_raster::{raster::ellipse, Rect, PointFx};
 /// use fixed::types::I24F8;
-/// let at = Vertex::from_bits(640, 640); // the centre of pixel (2, 2)
+/// let at = PointFx::from_bits(640, 640); // the centre of pixel (2, 2)
 /// assert_eq!(ellipse::square(at, I24F8::from_num(3)), Rect::new(1, 1, 4, 4));
 /// ```
-pub fn square(centre: Vertex, size: I24F8) -> Rect {
+pub fn square(centre: PointFx, size: I24F8) -> Rect {
     let (x, y) = bits(centre);
     let size = size.to_bits();
     // ceil((2 c - size - 256) / 512)

@@ -1,7 +1,7 @@
 //! Flood fill: paints the open pixels that are connected with a seed.
 //!
-//! What is *open* the caller says, by a [`Field`] that also paints; a painted pixel is not open any more. Pixels are
-//! connected by their sides, or by their corners too: see [`Reach`]. Nothing is open outside of the window.
+//! What is *open* the caller says, by a [`FloodTarget`] that also paints; a painted pixel is not open any more. Pixels are
+//! connected by their sides, or by their corners too: see [`Connectivity`]. Nothing is open outside of the window.
 //! ```text
 //!        #########          From the seed's run of open pixels, the rows above and below are searched for runs that
 //!        #...#...#          touch it; these are painted and searched from in turn. Where a run reaches beyond the one
@@ -31,7 +31,7 @@ mod walk;
 
 /// Which pixels are neighbours.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Reach {
+pub enum Connectivity {
     /// The four that share a side.
     Sides,
     /// The eight that share a side or a corner.
@@ -40,7 +40,7 @@ pub enum Reach {
 
 /// A slot of the table of a flood fill: a range of a row that is to be searched.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Pending {
+pub struct FloodSlot {
     y: i32,
     x0: i32,
     x1: i32,
@@ -48,7 +48,7 @@ pub struct Pending {
     down: i32,
 }
 
-impl Pending {
+impl FloodSlot {
     /// To make a table of. After a fill, the slots that are not empty any more are those that it took.
     pub const EMPTY: Self = Self { y: 0, x0: 0, x1: 0, down: 0 };
 }
@@ -58,9 +58,9 @@ impl Pending {
 /// Whoever has two colours and a way to read and write a pixel has one:
 /// ```
 /// use embedded_graphics_core::geometry::Point;
-/// use embedded_raster::{raster::flood::{fill, Field, Pending, Reach}, ClippedSpan, Rect};
+/// use embedded_raster::{raster::flood::{fill, FloodTarget, FloodSlot, Connectivity}, ClippedSpan, Rect};
 /// struct Text(Vec<Vec<u8>>);
-/// impl Field for Text {
+/// impl FloodTarget for Text {
 ///     fn window(&self) -> Rect {
 ///         Rect::new(0, 0, self.0[0].len() as i32, self.0.len() as i32)
 ///     }
@@ -72,12 +72,12 @@ impl Pending {
 ///     }
 /// }
 /// let mut text = Text(["..#..", ".#.#.", "..#.."].map(|row| row.into()).to_vec());
-/// fill(&mut text, Point::new(2, 1), Reach::Sides, &mut [Pending::EMPTY]);
+/// fill(&mut text, Point::new(2, 1), Connectivity::Sides, &mut [FloodSlot::EMPTY]);
 /// assert_eq!(text.0, ["..#..", ".#o#.", "..#.."].map(|row| row.as_bytes()));
-/// fill(&mut text, Point::new(0, 0), Reach::Corners, &mut [Pending::EMPTY]);
+/// fill(&mut text, Point::new(0, 0), Connectivity::Corners, &mut [FloodSlot::EMPTY]);
 /// assert_eq!(text.0, ["oo#..", "o#o#.", "oo#.."].map(|row| row.as_bytes()));
 /// ```
-pub trait Field {
+pub trait FloodTarget {
     /// Where pixels may be painted.
     fn window(&self) -> Rect;
 
@@ -123,9 +123,9 @@ pub trait Field {
     }
 }
 
-/// [`Field::corridor`], pixel by pixel.
+/// [`FloodTarget::corridor`], pixel by pixel.
 #[inline(always)]
-pub(crate) fn corridor(field: &mut (impl Field + ?Sized), x: i32, mut y: i32, down: i32) -> i32 {
+pub(crate) fn corridor(field: &mut (impl FloodTarget + ?Sized), x: i32, mut y: i32, down: i32) -> i32 {
     let window = field.window();
     let (before, after) = (x.wrapping_sub(1), x.wrapping_add(1));
     while y >= window.y0 && y < window.y1 {
@@ -142,14 +142,14 @@ pub(crate) fn corridor(field: &mut (impl Field + ?Sized), x: i32, mut y: i32, do
 /// Paints the open pixels that are connected with `seed`; none if the seed is not open or outside.
 ///
 /// Cannot fail, however short the table is: see the module for what it is good for.
-pub fn fill(field: &mut impl Field, seed: Point, reach: Reach, table: &mut [Pending]) {
+pub fn fill(field: &mut impl FloodTarget, seed: Point, reach: Connectivity, table: &mut [FloodSlot]) {
     let window = field.window();
     if !window.contains(seed.x, seed.y) || !field.is_open(seed.x, seed.y) {
         return;
     }
     let mut flood = Flood { window, reach, field, table, len: 0 };
     let (x0, x1) = flood.paint_run(seed.x, seed.y, true);
-    let rows = |down: i32| Pending { y: seed.y.wrapping_add(down), x0, x1, down };
+    let rows = |down: i32| FloodSlot { y: seed.y.wrapping_add(down), x0, x1, down };
     flood.put(rows(-1));
     let mut next = Some(rows(1));
     while let Some(pending) = next.or_else(|| flood.take()) {
@@ -159,21 +159,21 @@ pub fn fill(field: &mut impl Field, seed: Point, reach: Reach, table: &mut [Pend
 
 struct Flood<'f, F> {
     window: Rect,
-    reach: Reach,
+    reach: Connectivity,
     field: &'f mut F,
-    table: &'f mut [Pending],
+    table: &'f mut [FloodSlot],
     len: usize,
 }
 
-impl<F: Field> Flood<'_, F> {
-    fn take(&mut self) -> Option<Pending> {
+impl<F: FloodTarget> Flood<'_, F> {
+    fn take(&mut self) -> Option<FloodSlot> {
         self.len = self.len.checked_sub(1)?;
         self.table.get(self.len).copied()
     }
 
     /// Keeps a range for later. If there is no slot, paints all that it leads to at once.
     #[inline]
-    fn put(&mut self, pending: Pending) {
+    fn put(&mut self, pending: FloodSlot) {
         if pending.y < self.window.y0 || pending.y >= self.window.y1 {
             return;
         }
@@ -188,19 +188,21 @@ impl<F: Field> Flood<'_, F> {
 
     /// The columns of a range, those included that it touches by a corner.
     #[inline(always)]
-    fn columns(&self, pending: Pending) -> (i32, i32) {
-        let Pending { x0, x1, .. } = pending;
+    fn columns(&self, pending: FloodSlot) -> (i32, i32) {
+        let FloodSlot { x0, x1, .. } = pending;
         match self.reach {
-            Reach::Sides => (x0, x1),
-            Reach::Corners => (x0.saturating_sub(1).max(self.window.x0), x1.saturating_add(1).min(self.window.x1)),
+            Connectivity::Sides => (x0, x1),
+            Connectivity::Corners => {
+                (x0.saturating_sub(1).max(self.window.x0), x1.saturating_add(1).min(self.window.x1))
+            }
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn walk_all(&mut self, pending: Pending) {
+    fn walk_all(&mut self, pending: FloodSlot) {
         let (mut x, end) = self.columns(pending);
-        let Pending { y, .. } = pending;
+        let FloodSlot { y, .. } = pending;
         loop {
             x = self.field.find(y, x, end, true);
             if x >= end {
@@ -222,9 +224,9 @@ impl<F: Field> Flood<'_, F> {
     }
 
     /// Paints the runs in a range and keeps what they lead to; returns a range to go on with.
-    fn search(&mut self, pending: Pending) -> Option<Pending> {
-        let Pending { mut y, x0, x1, down } = pending;
-        if x1 == x0.wrapping_add(1) && self.reach == Reach::Sides {
+    fn search(&mut self, pending: FloodSlot) -> Option<FloodSlot> {
+        let FloodSlot { mut y, x0, x1, down } = pending;
+        if x1 == x0.wrapping_add(1) && self.reach == Connectivity::Sides {
             y = self.field.corridor(x0, y, down);
         }
         if y < self.window.y0 || y >= self.window.y1 {
@@ -232,8 +234,8 @@ impl<F: Field> Flood<'_, F> {
         }
         let (from, to) = self.columns(pending);
         // By corners, a run that begins one pixel beyond the end reaches two pixels beyond it.
-        let corner = i32::from(self.reach == Reach::Corners);
-        let mut next: Option<Pending> = None;
+        let corner = i32::from(self.reach == Connectivity::Corners);
+        let mut next: Option<FloodSlot> = None;
         let mut x = from;
         loop {
             x = self.field.find(y, x, to, true);
@@ -241,17 +243,17 @@ impl<F: Field> Flood<'_, F> {
                 return next;
             }
             let (start, end) = self.paint_run(x, y, x == from);
-            if let Some(earlier) = next.replace(Pending { y: y.wrapping_add(down), x0: start, x1: end, down }) {
+            if let Some(earlier) = next.replace(FloodSlot { y: y.wrapping_add(down), x0: start, x1: end, down }) {
                 self.put(earlier);
             }
             // The row that this search came from, left and right of where it came from. The pixels next to that range
             // are closed: it was a whole run, or lies between painted pixels.
             let back =
-                Pending { y: y.wrapping_sub(down), x0: start, x1: x0.wrapping_sub(1), down: down.wrapping_neg() };
+                FloodSlot { y: y.wrapping_sub(down), x0: start, x1: x0.wrapping_sub(1), down: down.wrapping_neg() };
             if back.x0 < back.x1.saturating_add(corner) && start < x0 {
                 self.put(back);
             }
-            let back = Pending { x0: x1.wrapping_add(1), x1: end, ..back };
+            let back = FloodSlot { x0: x1.wrapping_add(1), x1: end, ..back };
             if back.x0 < back.x1.saturating_add(corner) && x1 < end {
                 self.put(back);
             }

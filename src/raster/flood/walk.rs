@@ -18,7 +18,7 @@
 //! Sources: S. Yokoi, J. Toriwaki, T. Fukumura, "An analysis of topological properties of digitized binary pictures using
 //! local features", Computer Graphics and Image Processing 4, 1975 (the crossing number).
 
-use super::{Field, Reach};
+use super::{Connectivity, FloodTarget};
 use crate::rect::Rect;
 
 /// The neighbours, clockwise from the right one: even numbers share a side.
@@ -42,7 +42,7 @@ struct Lap {
 }
 
 /// Paints the open pixels that are connected with the open pixel at `(x, y)`.
-pub(super) fn paint(field: &mut impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) {
+pub(super) fn paint(field: &mut impl FloodTarget, window: Rect, reach: Connectivity, (x, y): (i32, i32)) {
     let mut walker = Walker::below_wall(field, window, (x, y));
     let mut lap = Lap::new(walker);
     loop {
@@ -77,7 +77,7 @@ pub(super) fn paint(field: &mut impl Field, window: Rect, reach: Reach, (x, y): 
 
 impl Walker {
     /// Straight up from an open pixel to where a wall is above, as if come along it from the left.
-    fn below_wall(field: &impl Field, window: Rect, (x, mut y): (i32, i32)) -> Self {
+    fn below_wall(field: &impl FloodTarget, window: Rect, (x, mut y): (i32, i32)) -> Self {
         while is_open(field, window, x, y.wrapping_sub(1)) {
             y = y.wrapping_sub(1);
         }
@@ -85,9 +85,9 @@ impl Walker {
     }
 
     /// One step along the wall on the left, and by how many eighths it turns to the right.
-    fn step(self, open: u32, reach: Reach) -> (Self, i32) {
+    fn step(self, open: u32, reach: Connectivity) -> (Self, i32) {
         // By corners, the pixel to the left of the last step is known to be closed.
-        let first = if reach == Reach::Sides || self.direction & 1 != 0 { -2 } else { -1 };
+        let first = if reach == Connectivity::Sides || self.direction & 1 != 0 { -2 } else { -1 };
         for turn in first..first + 8 {
             let direction = self.direction.wrapping_add_signed(turn) & 7;
             if open >> direction & 1 != 0 {
@@ -117,7 +117,7 @@ impl Lap {
     }
 }
 
-fn is_open(field: &impl Field, window: Rect, x: i32, y: i32) -> bool {
+fn is_open(field: &impl FloodTarget, window: Rect, x: i32, y: i32) -> bool {
     window.contains(x, y) && field.is_open(x, y)
 }
 
@@ -127,7 +127,7 @@ fn neighbour(x: i32, y: i32, direction: u32) -> (i32, i32) {
 }
 
 /// The open neighbours that can be stepped to, as bits, and the number of walls that meet here.
-fn around(field: &impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) -> (u32, u32) {
+fn around(field: &impl FloodTarget, window: Rect, reach: Connectivity, (x, y): (i32, i32)) -> (u32, u32) {
     let open = |direction| {
         let (x, y) = neighbour(x, y, direction);
         u32::from(is_open(field, window, x, y)) << direction
@@ -135,8 +135,8 @@ fn around(field: &impl Field, window: Rect, reach: Reach, (x, y): (i32, i32)) ->
     let open = (0..8).fold(0, |bits, direction| bits | open(direction));
     // Yokoi's number: the sides where something begins that does not go on around the corner.
     let (seen, steps) = match reach {
-        Reach::Sides => (open, open & 0x55),
-        Reach::Corners => (!open & 0xff, open),
+        Connectivity::Sides => (open, open & 0x55),
+        Connectivity::Corners => (!open & 0xff, open),
     };
     let twice = seen | seen << 8;
     (steps, (seen & !(twice >> 1 & twice >> 2) & 0x55).count_ones())

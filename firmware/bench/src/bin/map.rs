@@ -5,10 +5,10 @@
 use core::cell::UnsafeCell;
 
 use board::{crc32, println, stack};
-use embedded_raster::Edge;
+use embedded_raster::EdgeSlot;
 use scene::{map, EDGES};
 
-struct Memory(UnsafeCell<(Frame, [Edge; EDGES])>);
+struct Memory(UnsafeCell<(Frame, [EdgeSlot; EDGES])>);
 
 /// Aligned to words, as a display's DMA would want it.
 #[repr(align(4))]
@@ -17,7 +17,7 @@ struct Frame([u8; map::BYTES]);
 // SAFETY: this program has one thread.
 unsafe impl Sync for Memory {}
 
-static MEMORY: Memory = Memory(UnsafeCell::new((Frame([0; map::BYTES]), [Edge::EMPTY; EDGES])));
+static MEMORY: Memory = Memory(UnsafeCell::new((Frame([0; map::BYTES]), [EdgeSlot::EMPTY; EDGES])));
 
 board::entry!(main);
 

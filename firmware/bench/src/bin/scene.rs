@@ -6,7 +6,7 @@ use core::hint::black_box;
 
 use board::counter::instructions;
 use board::{crc32, println, stack, CHIP};
-use embedded_raster::Edge;
+use embedded_raster::EdgeSlot;
 use scene::{Frame, EDGES, FRAMES};
 
 /// The largest frame: 16 bits a pixel.
@@ -18,13 +18,13 @@ fn main() {
     println!("# {CHIP}: instructions, not cycles; stack in bytes below the call");
     println!("# frame;format;instructions;stack;crc32");
     let mut memory = [0; BYTES];
-    let mut table = [Edge::EMPTY; EDGES];
+    let mut table = [EdgeSlot::EMPTY; EDGES];
     for frame in FRAMES {
         measure(&frame, &mut memory[..frame.bytes], &mut table);
     }
 }
 
-fn measure(frame: &Frame, memory: &mut [u8], table: &mut [Edge]) {
+fn measure(frame: &Frame, memory: &mut [u8], table: &mut [EdgeSlot]) {
     // Frames start with a clear: they are the same however often they are drawn.
     let mut draw = || (frame.draw)(black_box(&mut *memory), black_box(&mut *table)).unwrap();
     let instructions = instructions(&mut draw);

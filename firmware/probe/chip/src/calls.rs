@@ -10,19 +10,19 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     geom::{
-        clip::{self, Part},
+        clip::{self, Clipped},
         delaunay, exact, polygon,
-        triangulate::{self, Node},
+        triangulate::{self, SideSlot},
         Viewport,
     },
     pixel::{Be, Lsb0},
     raster::{
-        flood::{Pending, Reach},
+        flood::{Connectivity, FloodSlot},
         triangle,
     },
     surface::Paged,
-    Angle, Bitmap, Canvas, Edge, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path, PathSegment,
-    PixelFormat, Radii, Rect, Sector, Stroke, Surface, Vertex,
+    Angle, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path,
+    PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
 use fixed::types::I24F8;
 
@@ -33,20 +33,20 @@ pub struct Arguments {
     len: usize,
     source: *const u8,
     source_len: usize,
-    outline: *const Vertex,
+    outline: *const PointFx,
     outline_len: usize,
-    table: *mut Edge,
+    table: *mut EdgeSlot,
     table_len: usize,
     size: [u16; 2],
     rows: [u16; 2],
     stride: usize,
     area: [i32; 4],
     points: [Point; 2],
-    corners: [Vertex; 3],
+    corners: [PointFx; 3],
     color: u32,
     radii: Radii,
     angles: [u32; 2],
-    pending: *mut Pending,
+    pending: *mut FloodSlot,
     pending_len: usize,
     path: *const PathSegment,
     path_len: usize,
@@ -68,13 +68,13 @@ impl Arguments {
         Bitmap::with_stride(bytes, self.rows[0], self.rows[1], self.stride).ok()
     }
 
-    unsafe fn outline(&self) -> &[Vertex] {
+    unsafe fn outline(&self) -> &[PointFx] {
         slice::from_raw_parts(self.outline, self.outline_len)
     }
 
     /// Nobody else holds it meanwhile.
     #[allow(clippy::mut_from_ref)]
-    unsafe fn table(&self) -> &mut [Edge] {
+    unsafe fn table(&self) -> &mut [EdgeSlot] {
         slice::from_raw_parts_mut(self.table, self.table_len)
     }
 
@@ -124,7 +124,7 @@ unsafe fn round<F: PixelFormat>(a: &Arguments) -> Option<()> {
     frame.fill_ring(ring, hole, color);
     frame.fill_ring_sector(ring, hole, sector, color);
     let table = slice::from_raw_parts_mut(a.pending, a.pending_len);
-    let reach = if a.flag { Reach::Corners } else { Reach::Sides };
+    let reach = if a.flag { Connectivity::Corners } else { Connectivity::Sides };
     frame.flood_fill(a.points[0], reach, color, table);
     frame.flood_fill_to(a.points[1], F::unpack(a.rows[0].into()), reach, color, table);
     Some(())
@@ -261,7 +261,7 @@ pub unsafe extern "C" fn triangulate(
     a: &Arguments,
     starts: *const u16,
     further: usize,
-    nodes: *mut Node,
+    nodes: *mut SideSlot,
     slots: usize,
     triangles: *mut [u16; 3],
     most: usize,
@@ -292,13 +292,13 @@ pub unsafe extern "C" fn outlines(a: &Arguments, area: &mut i128) -> u8 {
 }
 
 #[no_mangle]
-pub extern "C" fn signs(a: Vertex, b: Vertex, c: Vertex, d: Vertex, out: &mut Option<Part>) -> bool {
+pub extern "C" fn signs(a: PointFx, b: PointFx, c: PointFx, d: PointFx, out: &mut Option<Clipped>) -> bool {
     *out = clip::segment(a, b, [c, d]);
     exact::turn(a, b, c).is_lt() ^ exact::in_circle(a, b, c, d).is_lt()
 }
 
 #[no_mangle]
-pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut Vertex) -> i32 {
+pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut PointFx) -> i32 {
     let [x0, y0, x1, y1] = area;
     let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
     *out = view.vertex_from_bits(at);

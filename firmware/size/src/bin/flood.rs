@@ -3,13 +3,13 @@
 #![no_main]
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::raster::flood::{Pending, Reach};
+use embedded_raster::raster::flood::{Connectivity, FloodSlot};
 
 board::entry!(main);
 
 fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [seed, _] = size::points();
-        frame.flood_fill(seed, Reach::Sides, size::color::<Rgb565>(), &mut [Pending::EMPTY; 16]);
+        frame.flood_fill(seed, Connectivity::Sides, size::color::<Rgb565>(), &mut [FloodSlot::EMPTY; 16]);
     });
 }

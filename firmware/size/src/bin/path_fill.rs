@@ -5,7 +5,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::{Canvas, Edge, FillRule, Path, PathSegment};
+use embedded_raster::{Canvas, EdgeSlot, FillRule, Path, PathSegment};
 
 board::entry!(main);
 
@@ -14,7 +14,7 @@ fn main() {
         let [a, b, c] = size::corners();
         let outline = black_box([PathSegment::MoveTo(a), PathSegment::CubicTo(b, c, a), PathSegment::Close]);
         // On the stack.
-        let mut table = [Edge::EMPTY; 8];
+        let mut table = [EdgeSlot::EMPTY; 8];
         let drawn = frame.fill_path(Path::new(&outline), FillRule::NonZero, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });

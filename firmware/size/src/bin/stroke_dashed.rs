@@ -5,7 +5,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::{Canvas, Edge, Path, PathSegment, Stroke, Vertex};
+use embedded_raster::{Canvas, EdgeSlot, Path, PathSegment, PointFx, Stroke};
 
 board::entry!(main);
 
@@ -13,8 +13,8 @@ fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [a, b, c] = size::corners();
         let outline = black_box([PathSegment::MoveTo(a), PathSegment::QuadraticTo(b, c)]);
-        let mut table = [Edge::EMPTY; 32];
-        let Vertex { x, y } = black_box(Vertex::px(6, 3));
+        let mut table = [EdgeSlot::EMPTY; 32];
+        let PointFx { x, y } = black_box(PointFx::px(6, 3));
         let lengths = [x, y];
         let stroke = black_box(Stroke::px(5)).dashed(&lengths, y);
         let drawn = frame.stroke_path(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());

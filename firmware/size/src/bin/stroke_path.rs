@@ -5,7 +5,7 @@
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::{Canvas, Edge, Path, PathSegment, Stroke};
+use embedded_raster::{Canvas, EdgeSlot, Path, PathSegment, Stroke};
 
 board::entry!(main);
 
@@ -13,7 +13,7 @@ fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [a, b, c] = size::corners();
         let outline = black_box([PathSegment::MoveTo(a), PathSegment::QuadraticTo(b, c)]);
-        let mut table = [Edge::EMPTY; 32];
+        let mut table = [EdgeSlot::EMPTY; 32];
         let stroke = black_box(Stroke::px(5));
         let drawn = frame.stroke_path(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());

@@ -4,14 +4,14 @@
 
 use core::hint::black_box;
 
-use embedded_raster::geom::triangulate::{self, Node};
+use embedded_raster::geom::triangulate::{self, SideSlot};
 
 board::entry!(main);
 
 fn main() {
     size::on_memory(|_| {
         // On the stack: three sides need three slots.
-        let mut nodes = [Node::EMPTY; 3];
+        let mut nodes = [SideSlot::EMPTY; 3];
         let cut = triangulate::each(&size::corners(), &[], &mut nodes, |triangle| {
             black_box(triangle);
         });

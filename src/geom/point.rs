@@ -1,4 +1,4 @@
-//! [`Vertex`]: a place on the plane in 24.8.
+//! [`PointFx`]: a place on the plane in 24.8.
 
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
@@ -9,21 +9,21 @@ use crate::num::cast::saturate;
 ///
 /// Pixel (x, y) covers `x..x+1` and `y..y+1`; its centre is at (x + 1/2, y + 1/2).
 /// ```
-/// use embedded_raster::Vertex;
+/// use embedded_raster::PointFx;
 /// use fixed::types::I24F8;
-/// let a = Vertex::px(3, -4);
-/// assert_eq!(a, Vertex::from_bits(768, -1024));
-/// assert_eq!(a, Vertex::new(I24F8::from_num(3), I24F8::from_num(-4)));
+/// let a = PointFx::px(3, -4);
+/// assert_eq!(a, PointFx::from_bits(768, -1024));
+/// assert_eq!(a, PointFx::new(I24F8::from_num(3), I24F8::from_num(-4)));
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Vertex {
+pub struct PointFx {
     /// To the right.
     pub x: I24F8,
     /// Down.
     pub y: I24F8,
 }
 
-impl Vertex {
+impl PointFx {
     /// A place in fixed-point pixels.
     #[inline]
     pub const fn new(x: I24F8, y: I24F8) -> Self {
@@ -56,6 +56,6 @@ impl Vertex {
 }
 
 /// In units of 1/256 pixel, the private form of the loops.
-pub(crate) const fn bits(v: Vertex) -> (i32, i32) {
+pub(crate) const fn bits(v: PointFx) -> (i32, i32) {
     (v.x.to_bits(), v.y.to_bits())
 }
