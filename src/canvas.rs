@@ -8,7 +8,7 @@ use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
 
 use crate::{
-    error::Error,
+    error::EdgeTableFull,
     geom::{Path, PathSegment, PointFx},
     raster::{
         arc,
@@ -231,7 +231,7 @@ pub trait Canvas: Surface {
     /// Fills a polygon of one contour, closed by itself. `table` is scratch memory: see [`polygon::fill`].
     ///
     /// # Errors
-    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
     #[inline]
     fn fill_polygon(
         &mut self,
@@ -239,14 +239,14 @@ pub trait Canvas: Surface {
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error> {
+    ) -> Result<(), EdgeTableFull> {
         polygon::fill([outline], rule, self.window(), table, |span| self.fill_span(span, color))
     }
 
     /// Fills a polygon of many contours, such as a country with islands and lakes: see [`polygon::fill`].
     ///
     /// # Errors
-    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
     #[inline]
     fn fill_contours<C>(
         &mut self,
@@ -254,7 +254,7 @@ pub trait Canvas: Surface {
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error>
+    ) -> Result<(), EdgeTableFull>
     where
         Self: Sized,
         C: IntoIterator + Clone,
@@ -277,7 +277,7 @@ pub trait Canvas: Surface {
     /// ```
     ///
     /// # Errors
-    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
     #[inline]
     fn fill_path(
         &mut self,
@@ -285,7 +285,7 @@ pub trait Canvas: Surface {
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error> {
+    ) -> Result<(), EdgeTableFull> {
         let window = self.window();
         polygon::fill(path.contours_in(window), rule, window, table, |span| self.fill_span(span, color))
     }
@@ -322,7 +322,7 @@ pub trait Canvas: Surface {
     /// Draws the outline of a path with a width: see [`stroke`](crate::raster::stroke).
     ///
     /// # Errors
-    /// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each
+    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each
     /// piece of the stroke that a row meets takes two slots.
     #[inline]
     fn stroke_path<D: Dashing>(
@@ -331,7 +331,7 @@ pub trait Canvas: Surface {
         stroke: &Stroke<D>,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error>
+    ) -> Result<(), EdgeTableFull>
     where
         Self: Sized,
     {
@@ -352,7 +352,7 @@ pub trait Canvas: Surface {
         stroke: &Stroke<D>,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error>
+    ) -> Result<(), EdgeTableFull>
     where
         Self: Sized,
     {
@@ -372,7 +372,7 @@ pub trait Canvas: Surface {
         stroke: &Stroke<D>,
         table: &mut [EdgeSlot],
         color: Self::Color,
-    ) -> Result<(), Error>
+    ) -> Result<(), EdgeTableFull>
     where
         Self: Sized,
     {

@@ -1,22 +1,26 @@
 //! What can be wrong with a call, with the numbers that explain it.
+//!
+//! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface ([`BufferError`]),
+//! a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be cut into triangles
+//! ([`TriangulateError`]). [`Error`] is any of them, for programs that pass all on with `?`.
+//!
+//! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
 
 use core::fmt;
 
-/// Why a surface could not be made or a shape could not be drawn.
-///
-/// Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
+/// Why a surface could not be made of some memory.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb565;
-/// use embedded_raster::{Error, Framebuffer};
+/// use embedded_raster::{BufferError, Framebuffer};
 /// let mut ram = [0; 100];
 /// let error = Framebuffer::<Rgb565>::new(&mut ram, 8, 8).unwrap_err();
-/// assert_eq!(error, Error::BufferTooSmall { needed: 128, given: 100 });
+/// assert_eq!(error, BufferError::TooSmall { needed: 128, given: 100 });
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Error {
-    /// The slice is shorter than the surface. Both counts are bytes (colours for a table); `needed` stops at `usize::MAX`.
-    BufferTooSmall {
+pub enum BufferError {
+    /// The slice is shorter than the surface. Both counts are bytes; `needed` stops at `usize::MAX`.
+    TooSmall {
         /// What the surface takes.
         needed: usize,
         /// What the caller passed in.
@@ -38,27 +42,44 @@ pub enum Error {
         /// Rows of the screen.
         height: u16,
     },
-    /// One row alone is crossed by more edges than the edge table has slots.
-    EdgeTableFull {
-        /// Slots of the table.
-        capacity: usize,
-        /// Edges that cross the row.
-        needed: usize,
-        /// The first such row.
-        row: i32,
+    /// A band starts or ends between rows that share bytes, such as the eight rows of a page.
+    BandSplitsPage {
+        /// First row of the band.
+        start: u16,
+        /// The row after its last one.
+        end: u16,
+        /// Rows that share bytes: a band starts at a multiple of this, and ends at one or at the end of the screen.
+        page: u16,
     },
-    /// Two sides of a polygon that was to be triangulated cross. Each is given by the number of the vertex where it starts.
+}
+
+/// One row alone is crossed by more edges than the edge table has slots.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct EdgeTableFull {
+    /// Slots of the table; of a longer one, 65,535 count.
+    pub capacity: usize,
+    /// Edges that cross the row.
+    pub needed: usize,
+    /// The first such row.
+    pub row: i32,
+}
+
+/// Why a polygon could not be cut into triangles.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TriangulateError {
+    /// Two sides cross. Each is given by the number of the vertex where it starts.
     SidesCross {
         /// The one that starts first.
         first: usize,
         /// The other.
         second: usize,
     },
-    /// A polygon that was to be triangulated takes more nodes than the table holds.
-    NodeTableFull {
+    /// The polygon takes more slots than the table of sides has.
+    SideTableFull {
         /// Slots of the table, 65,535 of them at most.
         capacity: usize,
-        /// Nodes that are enough.
+        /// Slots that are enough.
         needed: usize,
     },
     /// A table that holds one slot for each triangle is too small.
@@ -70,24 +91,50 @@ pub enum Error {
     },
 }
 
-impl fmt::Display for Error {
+/// Any error of the crate.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A surface could not be made.
+    Buffer(BufferError),
+    /// A polygon, path or stroke could not be filled.
+    EdgeTable(EdgeTableFull),
+    /// A polygon could not be cut into triangles.
+    Triangulate(TriangulateError),
+}
+
+impl fmt::Display for BufferError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::BufferTooSmall { needed, given } => write!(f, "buffer too small: {needed} needed, {given} given"),
+            Self::TooSmall { needed, given } => write!(f, "buffer too small: {needed} bytes needed, {given} given"),
             Self::StrideTooSmall { needed, given } => {
                 write!(f, "stride too small: {needed} bytes needed, {given} given")
             }
             Self::BandOutsideScreen { start, end, height } => {
                 write!(f, "band {start}..{end} does not lie on a screen of {height} rows")
             }
-            Self::EdgeTableFull { capacity, needed, row } => {
-                write!(f, "edge table full: {needed} edges cross row {row}, the table holds {capacity}")
+            Self::BandSplitsPage { start, end, page } => {
+                write!(f, "band {start}..{end} splits a page: {page} rows share their bytes")
             }
+        }
+    }
+}
+
+impl fmt::Display for EdgeTableFull {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { capacity, needed, row } = *self;
+        write!(f, "edge table full: {needed} edges cross row {row}, the table holds {capacity}")
+    }
+}
+
+impl fmt::Display for TriangulateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
             Self::SidesCross { first, second } => {
                 write!(f, "sides cross: the one from vertex {first} and the one from vertex {second}")
             }
-            Self::NodeTableFull { capacity, needed } => {
-                write!(f, "node table full: {needed} nodes needed, the table holds {capacity}")
+            Self::SideTableFull { capacity, needed } => {
+                write!(f, "side table full: {needed} slots needed, the table holds {capacity}")
             }
             Self::TriangleTableFull { capacity, needed } => {
                 write!(f, "triangle table full: {needed} slots needed, the table holds {capacity}")
@@ -96,4 +143,35 @@ impl fmt::Display for Error {
     }
 }
 
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Buffer(error) => error.fmt(f),
+            Self::EdgeTable(error) => error.fmt(f),
+            Self::Triangulate(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for BufferError {}
+impl core::error::Error for EdgeTableFull {}
+impl core::error::Error for TriangulateError {}
 impl core::error::Error for Error {}
+
+impl From<BufferError> for Error {
+    fn from(error: BufferError) -> Self {
+        Self::Buffer(error)
+    }
+}
+
+impl From<EdgeTableFull> for Error {
+    fn from(error: EdgeTableFull) -> Self {
+        Self::EdgeTable(error)
+    }
+}
+
+impl From<TriangulateError> for Error {
+    fn from(error: TriangulateError) -> Self {
+        Self::Triangulate(error)
+    }
+}

@@ -6,7 +6,7 @@ mod support;
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     raster::{polygon, rectangle, triangle},
-    Canvas, EdgeSlot, Error, FillRule, PointFx, Rect,
+    Canvas, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect,
 };
 use support::{
     assert_runs, collect, corners,
@@ -21,7 +21,7 @@ use support::{
 const POLYGONS: usize = 260_000;
 const RULES: [FillRule; 2] = [FillRule::NonZero, FillRule::EvenOdd];
 
-fn filled(contours: &[Vec<Units>], rule: FillRule, window: Rect, capacity: usize) -> Result<Vec<Run>, Error> {
+fn filled(contours: &[Vec<Units>], rule: FillRule, window: Rect, capacity: usize) -> Result<Vec<Run>, EdgeTableFull> {
     let contours: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
     let mut table = vec![EdgeSlot::EMPTY; capacity];
     let mut result = Ok(());
@@ -175,7 +175,7 @@ fn edge_tables_of_every_capacity() {
                 .find(|&(_, needed)| needed > capacity);
             let got = filled(&contours, rule, window, capacity);
             if let Some((row, needed)) = overflow {
-                assert_eq!(got, Err(Error::EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
+                assert_eq!(got, Err(EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
                 refused += 1;
             } else {
                 let got = got.unwrap_or_else(|e| panic!("{e}: {contours:?} in {window:?}"));
@@ -196,7 +196,7 @@ fn a_crowded_last_row_is_found_before_the_first_is_painted() {
         contours.push(vec![(x, 29 * 256), (x + 300, 29 * 256), (x + 200, 30 * 256)]);
     }
     let window = Rect::new(0, 0, 48, 40);
-    let error = Error::EdgeTableFull { capacity: 19, needed: 20, row: 29 };
+    let error = EdgeTableFull { capacity: 19, needed: 20, row: 29 };
     assert_eq!(filled(&contours, FillRule::EvenOdd, window, 19), Err(error));
     let wanted = twins::polygon(&contours, FillRule::EvenOdd, window);
     assert_eq!(filled(&contours, FillRule::EvenOdd, window, 20).as_ref(), Ok(&wanted));

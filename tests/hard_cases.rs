@@ -16,7 +16,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     raster::{line, polygon, rectangle, triangle},
-    Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index1, PointFx, Rect, Surface,
+    Canvas, EdgeSlot, EdgeTableFull, FillRule, Framebuffer, Index1, PointFx, Rect, Surface,
 };
 use support::{
     assert_runs, collect, corners, hits::Hits, picture, rng::Rng, runs_where, tiles, twins, vertices, Run, Units,
@@ -534,7 +534,7 @@ fn a_full_edge_table_paints_nothing() {
     let mut hits = Hits::new(WINDOW);
     let mut table = [EdgeSlot::EMPTY; 39];
     let result = hits.fill_polygon(&vertices(&outline), FillRule::EvenOdd, &mut table, BinaryColor::On);
-    assert_eq!(result, Err(Error::EdgeTableFull { capacity: 39, needed: 40, row: 0 }));
+    assert_eq!(result, Err(EdgeTableFull { capacity: 39, needed: 40, row: 0 }));
     assert!(hits.runs().is_empty(), "{}", picture(WINDOW, &hits.runs()));
 }
 

@@ -25,7 +25,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
     surface::{paged_bytes, Counter, Paged},
-    Error, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
+    BufferError, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
 use support::{
     frame::{Kind, Of, Shape},
@@ -524,7 +524,7 @@ fn constructors_check(kind: &dyn Kind) {
     let mut rng = Rng::new(61);
     let enough = |needed: usize, given: usize| {
         if given < needed {
-            Err(Error::BufferTooSmall { needed, given })
+            Err(BufferError::TooSmall { needed, given })
         } else {
             Ok(())
         }
@@ -539,7 +539,7 @@ fn constructors_check(kind: &dyn Kind) {
 
         let stride = (row + rng.index(5)).saturating_sub(rng.index(5));
         let needed = if height == 0 { 0 } else { stride * (usize::from(height) - 1) + row };
-        let narrow = Err(Error::StrideTooSmall { needed: row, given: stride });
+        let narrow = Err(BufferError::StrideTooSmall { needed: row, given: stride });
         let wanted = if stride < row { narrow } else { enough(needed, given) };
         assert_eq!(kind.strided(&mut memory, width, height, stride), wanted, "{width} x {height}, stride {stride}");
         assert_eq!(kind.strided_bitmap(&memory, width, height, stride), wanted, "and a bitmap");
@@ -550,7 +550,7 @@ fn constructors_check(kind: &dyn Kind) {
 
         let (start, end) = (side(&mut rng), side(&mut rng));
         let wanted = if start > end || end > height {
-            Err(Error::BandOutsideScreen { start, end, height })
+            Err(BufferError::BandOutsideScreen { start, end, height })
         } else {
             enough(row * usize::from(end - start), given)
         };
@@ -705,7 +705,7 @@ fn paged_memory_checks_its_size() {
     assert_eq!([paged_bytes(128, 64), paged_bytes(5, 9), paged_bytes(5, 0), paged_bytes(0, 9)], [1024, 10, 0, 0]);
     let mut memory = [0; 9];
     let error = Paged::<BinaryColor>::new(&mut memory, 5, 9).map(|_| ()).expect_err("one byte is missing");
-    assert_eq!(error, Error::BufferTooSmall { needed: 10, given: 9 });
+    assert_eq!(error, BufferError::TooSmall { needed: 10, given: 9 });
 }
 
 #[test]

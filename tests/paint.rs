@@ -8,7 +8,7 @@ mod support;
 use std::path::Path;
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
-use embedded_raster::{pixel::EGA, Error};
+use embedded_raster::{pixel::EGA, EdgeTableFull};
 use embedded_raster_simulator::{
     paint::{parse, replay, Command, Desk, Done, Failure, Paint, FORMS},
     Event, Key, Picture,
@@ -204,7 +204,7 @@ fn a_command_that_fails_leaves_the_picture() {
     let before = paint.sheet().clone();
     let comb = Command::Polygon((0..6).map(|i| Point::new(4 * i, 2 + 15 * (i % 2))).collect());
     let failure = paint.apply(&comb).expect_err("the table holds four");
-    assert_eq!(failure, Failure::Draw(Error::EdgeTableFull { capacity: 4, needed: 6, row: 2 }), "the numbers");
+    assert_eq!(failure, Failure::Draw(EdgeTableFull { capacity: 4, needed: 6, row: 2 }.into()), "the numbers");
     assert_eq!(failure.to_string(), "edge table full: 6 edges cross row 2, the table holds 4", "in words");
     assert!(paint.sheet() == &before, "the picture");
     let script = "color 3\npolygon 0 2 4 17 8 2 12 17 16 2 20 17";

@@ -19,7 +19,7 @@ use embedded_raster::{
         triangulate::{self, SideSlot},
     },
     raster::{polygon, triangle},
-    EdgeSlot, Error, FillRule, PointFx, Rect,
+    EdgeSlot, FillRule, PointFx, Rect, TriangulateError,
 };
 use embedded_raster_simulator::world::{Map, Place, Projection, Screen, World};
 use support::{
@@ -217,17 +217,17 @@ fn crossings_are_named() {
         triangulate::each(&vertices(units), starts, &mut nodes, |t| panic!("{t:?} was emitted"))
     };
     let bow_tie = [(0, 0), (9, 9), (9, 0), (0, 9)];
-    assert_eq!(each(&bow_tie, &[]), Err(Error::SidesCross { first: 0, second: 2 }));
+    assert_eq!(each(&bow_tie, &[]), Err(TriangulateError::SidesCross { first: 0, second: 2 }));
     let pentagram = [(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)];
-    assert_eq!(each(&pentagram, &[]), Err(Error::SidesCross { first: 0, second: 2 }));
+    assert_eq!(each(&pentagram, &[]), Err(TriangulateError::SidesCross { first: 0, second: 2 }));
     let hole_over_the_side = [(0, 0), (9, 0), (9, 9), (0, 9), (4, 4), (12, 4), (6, 6)];
-    assert_eq!(each(&hole_over_the_side, &[4]), Err(Error::SidesCross { first: 1, second: 4 }));
+    assert_eq!(each(&hole_over_the_side, &[4]), Err(TriangulateError::SidesCross { first: 1, second: 4 }));
     // At the ends of the type, by one unit.
     let (low, high) = (i32::MIN, i32::MAX);
     let thin = [(low, low), (high, high), (high - 1, low), (high, high - 1), (low, high)];
-    let wanted = first_crossing(&[thin.to_vec()]).map(|(first, second)| Error::SidesCross { first, second });
+    let wanted = first_crossing(&[thin.to_vec()]).map(|(first, second)| TriangulateError::SidesCross { first, second });
     assert_eq!(each(&thin, &[]).err(), wanted);
-    let text = Error::SidesCross { first: 3, second: 8 }.to_string();
+    let text = TriangulateError::SidesCross { first: 3, second: 8 }.to_string();
     assert!(text.contains('3') && text.contains('8'), "{text}");
 }
 
@@ -251,7 +251,11 @@ fn scratch_of_every_size() {
             let mut got = vec![];
             let result = triangulate::each(&places, &starts, &mut scratch, |t| got.push(t));
             if capacity < needed {
-                assert_eq!((result, got.len()), (Err(Error::NodeTableFull { capacity, needed }), 0), "{contours:?}");
+                assert_eq!(
+                    (result, got.len()),
+                    (Err(TriangulateError::SideTableFull { capacity, needed }), 0),
+                    "{contours:?}"
+                );
                 refused += 1;
             } else {
                 assert_eq!((result, &got), (Ok(()), &wanted), "{contours:?}");
@@ -261,7 +265,11 @@ fn scratch_of_every_size() {
         for capacity in 0..needed.saturating_sub(2) {
             let (mut scratch, mut table) = (vec![SideSlot::EMPTY; needed], vec![[7; 3]; capacity]);
             let result = triangulate::list(&places, &starts, &mut scratch, &mut table);
-            assert_eq!(result, Err(Error::TriangleTableFull { capacity, needed: needed - 2 }), "{contours:?}");
+            assert_eq!(
+                result,
+                Err(TriangulateError::TriangleTableFull { capacity, needed: needed - 2 }),
+                "{contours:?}"
+            );
             assert!(table.iter().all(|&t| t == [7; 3]), "something was written");
             assert!(scratch.iter().all(|&n| n == SideSlot::EMPTY), "something was written");
         }
@@ -269,7 +277,7 @@ fn scratch_of_every_size() {
         if let Some(less) = triangles.len().checked_sub(1) {
             let needed = triangles.len();
             let result = delaunay::refine(&places, &mut triangles, &mut vec![[0; 3]; less]);
-            assert_eq!(result, Err(Error::TriangleTableFull { capacity: less, needed }));
+            assert_eq!(result, Err(TriangulateError::TriangleTableFull { capacity: less, needed }));
             assert_eq!(triangles, wanted, "nothing changed");
         }
     }
@@ -338,7 +346,7 @@ fn countries_of_the_world() {
     for (name, rings) in countries() {
         let refused = !check(&rings, bounds(&rings));
         // In this map the border of Sudan crosses itself, where its first side and one of its last meet.
-        let wanted = (name == "Sudan").then_some(Error::SidesCross { first: 0, second: 78 });
+        let wanted = (name == "Sudan").then_some(TriangulateError::SidesCross { first: 0, second: 78 });
         assert_eq!((triangulated(&rings).err(), refused), (wanted, wanted.is_some()), "{name}");
     }
 }

@@ -2,8 +2,8 @@
 
 use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
 use embedded_raster::{
-    buffer_bytes, Canvas, ClippedSpan, EdgeSlot, Error, FillRule, Framebuffer, Index1, Index4, Index8, PixelFormat,
-    PointFx, Rect, Surface,
+    buffer_bytes, Canvas, ClippedSpan, EdgeSlot, EdgeTableFull, Error, FillRule, Framebuffer, Index1, Index4, Index8,
+    PixelFormat, PointFx, Rect, Surface,
 };
 use embedded_raster_simulator::world::{Depth, Layer, Map, Place, Projection, Screen, World};
 
@@ -168,7 +168,8 @@ fn a_small_edge_table_draws_the_same_or_nothing() {
         let expected = whole::<Index4>(&world, layer, ALL_EDGES);
         let (mut edges, mut too_small) = (0, 0);
         // Whenever a row needs more, as many as it says: the last table is the smallest that is enough.
-        while let Err(Error::EdgeTableFull { capacity, needed, .. }) = whole::<Index4>(&world, layer, edges) {
+        while let Err(Error::EdgeTable(EdgeTableFull { capacity, needed, .. })) = whole::<Index4>(&world, layer, edges)
+        {
             assert!(capacity == edges && needed > edges, "{needed} are more than {capacity}");
             (edges, too_small) = (needed, edges);
         }

@@ -11,7 +11,8 @@ use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
     geom::{delaunay, triangulate, triangulate::SideSlot},
     raster::flood::{Connectivity, FloodSlot},
-    Angle, Bitmap, Canvas, Cap, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, Join, Path, PathSegment,
+    Angle, Bitmap, Canvas, Cap, EdgeSlot, EdgeTableFull, Ellipse, Error, FillRule, Framebuffer, Index1, Join, Path,
+    PathSegment,
     PathSegment::{Close, CubicTo, LineTo, MoveTo, QuadraticTo},
     PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
@@ -33,7 +34,7 @@ pub type Ink = u8;
 /// Draws everything but what pours: on a band of the screen it draws the part of it that is there.
 ///
 /// # Errors
-/// [`Error::EdgeTableFull`] if `table` is shorter than a row of the page needs.
+/// [`EdgeTableFull`] if `table` is shorter than a row of the page needs.
 pub fn draw<S: Surface>(page: &mut S, table: &mut [EdgeSlot], ink: impl Fn(Ink) -> S::Color) -> Result<(), Error> {
     page.fill_window(ink(0));
     for (i, tile) in TILES.iter().enumerate() {
@@ -238,7 +239,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     }
 
     /// Every fifth of sixteen points of a circle.
-    fn star(&mut self, rule: FillRule) -> Result<(), Error> {
+    fn star(&mut self, rule: FillRule) -> Result<(), EdgeTableFull> {
         let rim = rim(4 * 28);
         let outline = core::array::from_fn::<_, 16, _>(|i| {
             let (x, y) = rim[i * 5 % 16];
@@ -247,7 +248,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         self.page.fill_polygon(&outline, rule, self.table, self.ink(rule as i32 + 1))
     }
 
-    fn holes(&mut self) -> Result<(), Error> {
+    fn holes(&mut self) -> Result<(), EdgeTableFull> {
         let outer = self.places([(20, 30), (236, 14), (220, 220), (120, 170), (24, 226)]);
         let window = self.places([(60, 50), (110, 50), (110, 110), (60, 110)]);
         let other = self.places([(140, 60), (200, 90), (150, 140)]);
@@ -309,7 +310,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         Ok(())
     }
 
-    fn dashes(&mut self) -> Result<(), Error> {
+    fn dashes(&mut self) -> Result<(), EdgeTableFull> {
         let v = PointFx::from_bits;
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
         let pattern = [9, 5, 2, 5].map(|n| I24F8::from_bits(n << 8));

@@ -5,7 +5,7 @@ mod input;
 #[path = "../../tests/support/mod.rs"]
 mod support;
 
-use embedded_raster::{raster::polygon, EdgeSlot, Error, FillRule};
+use embedded_raster::{raster::polygon, EdgeSlot, EdgeTableFull, FillRule};
 use libfuzzer_sys::fuzz_target;
 use support::{assert_runs, collect, twins, vertices, Units};
 
@@ -33,7 +33,7 @@ fuzz_target!(|data: &[u8]| {
     let rows = if window.is_empty() { 0..0 } else { window.y0..window.y1 };
     let overflow = rows.map(|row| (row, twins::sides_on_row(&contours, row))).find(|&(_, needed)| needed > capacity);
     if let Some((row, needed)) = overflow {
-        assert_eq!(result, Err(Error::EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
+        assert_eq!(result, Err(EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
         assert!(runs.is_empty(), "{runs:?} before {result:?}");
     } else {
         assert_eq!(result, Ok(()), "{contours:?} in {window:?}");

@@ -28,7 +28,7 @@ use super::{
     exact::{in_circle, turn},
     PointFx,
 };
-use crate::error::Error;
+use crate::error::TriangulateError;
 
 /// No triangle: beyond the outline.
 const NONE: u16 = u16::MAX;
@@ -40,7 +40,7 @@ const NONE: u16 = u16::MAX;
 /// * `neighbours`: scratch memory, a slot for each triangle.
 ///
 /// # Errors
-/// [`Error::TriangleTableFull`] if `neighbours` has fewer slots than there are triangles, or these are more than 65,535.
+/// [`TriangulateError::TriangleTableFull`] if `neighbours` has fewer slots than there are triangles, or these are more than 65,535.
 /// Nothing was changed then.
 /// ```
 /// use embedded_raster::{geom::delaunay, PointFx};
@@ -50,10 +50,14 @@ const NONE: u16 = u16::MAX;
 /// assert_eq!(triangles, [[2, 3, 1], [3, 0, 1]]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
-pub fn refine(vertices: &[PointFx], triangles: &mut [[u16; 3]], neighbours: &mut [[u16; 3]]) -> Result<u32, Error> {
+pub fn refine(
+    vertices: &[PointFx],
+    triangles: &mut [[u16; 3]],
+    neighbours: &mut [[u16; 3]],
+) -> Result<u32, TriangulateError> {
     let (needed, capacity) = (triangles.len(), neighbours.len().min(usize::from(NONE)));
     if needed > capacity {
-        return Err(Error::TriangleTableFull { capacity, needed });
+        return Err(TriangulateError::TriangleTableFull { capacity, needed });
     }
     let mut mesh = FlipMesh { vertices, triangles, neighbours };
     mesh.meet();

@@ -31,7 +31,7 @@ use super::{
     EdgeSlot,
 };
 use crate::{
-    error::Error,
+    error::EdgeTableFull,
     geom::{bits, PointFx},
     num::{
         cast::{index, index_u16, signed, unsigned},
@@ -51,7 +51,7 @@ pub use crate::geom::polygon::FillRule;
 /// * `table`: scratch memory. Sides that touch no row of the window take no slot, so a low window needs a small table.
 ///
 /// # Errors
-/// [`Error::EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
+/// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
 /// ```
 /// use embedded_raster::{raster::{polygon, EdgeSlot, FillRule}, Rect, PointFx};
 /// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
@@ -69,7 +69,7 @@ pub fn fill<C>(
     window: Rect,
     table: &mut [EdgeSlot],
     mut emit: impl FnMut(ClippedSpan),
-) -> Result<(), Error>
+) -> Result<(), EdgeTableFull>
 where
     C: IntoIterator + Clone,
     C::Item: IntoIterator,
@@ -97,7 +97,7 @@ where
             (rows, count) = (end.wrapping_sub(y), band.count);
             if count > table.len() {
                 if rows == 1 {
-                    return Err(Error::EdgeTableFull { capacity: table.len(), needed: count, row: y });
+                    return Err(EdgeTableFull { capacity: table.len(), needed: count, row: y });
                 }
                 continue;
             }

@@ -9,7 +9,7 @@ use super::{
     Surface,
 };
 use crate::{
-    error::Error,
+    error::BufferError,
     num::cast::{index, narrow, saturate},
     pixel::{self, row_bytes, PixelFormat},
     rect::Rect,
@@ -48,16 +48,16 @@ impl<'a, F: PixelFormat> Bitmap<'a, F> {
     /// A picture of `width` x `height` pixels without gaps between the rows.
     ///
     /// # Errors
-    /// [`Error::BufferTooSmall`].
-    pub fn new(memory: &'a [u8], width: u16, height: u16) -> Result<Self, Error> {
+    /// [`BufferError::TooSmall`].
+    pub fn new(memory: &'a [u8], width: u16, height: u16) -> Result<Self, BufferError> {
         Self::with_stride(memory, width, height, row_bytes::<F>(width))
     }
 
     /// A picture whose rows are `stride` bytes apart.
     ///
     /// # Errors
-    /// [`Error::StrideTooSmall`], [`Error::BufferTooSmall`].
-    pub fn with_stride(memory: &'a [u8], width: u16, height: u16, stride: usize) -> Result<Self, Error> {
+    /// [`BufferError::StrideTooSmall`], [`BufferError::TooSmall`].
+    pub fn with_stride(memory: &'a [u8], width: u16, height: u16, stride: usize) -> Result<Self, BufferError> {
         check::<F>(memory.len(), width, height, stride)?;
         Ok(Self::of_memory(memory, stride, Rect::new(0, 0, width.into(), height.into()), 0, 0))
     }

@@ -6,7 +6,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 
 use super::{Bitmap, Surface};
 use crate::{
-    error::Error,
+    error::BufferError,
     num::cast::index,
     octants::Octants,
     pixel::{self, row_bytes, scan, PixelFormat},
@@ -47,19 +47,19 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
     /// A screen of `width` x `height` pixels without gaps between the rows.
     ///
     /// # Errors
-    /// [`Error::BufferTooSmall`] if `memory` is shorter than [`buffer_bytes`](crate::buffer_bytes). A longer one is fine:
+    /// [`BufferError::TooSmall`] if `memory` is shorter than [`buffer_bytes`](crate::buffer_bytes). A longer one is fine:
     /// the rest stays untouched.
     #[inline]
-    pub fn new(memory: &'a mut [u8], width: u16, height: u16) -> Result<Self, Error> {
+    pub fn new(memory: &'a mut [u8], width: u16, height: u16) -> Result<Self, BufferError> {
         Self::with_stride(memory, width, height, row_bytes::<F>(width))
     }
 
     /// A screen whose rows are `stride` bytes apart.
     ///
     /// # Errors
-    /// [`Error::StrideTooSmall`], [`Error::BufferTooSmall`]. Bytes after the pixels of the last row are not needed.
+    /// [`BufferError::StrideTooSmall`], [`BufferError::TooSmall`]. Bytes after the pixels of the last row are not needed.
     #[inline]
-    pub fn with_stride(memory: &'a mut [u8], width: u16, height: u16, stride: usize) -> Result<Self, Error> {
+    pub fn with_stride(memory: &'a mut [u8], width: u16, height: u16, stride: usize) -> Result<Self, BufferError> {
         check::<F>(memory.len(), width, height, stride)?;
         let window = Rect::new(0, 0, width.into(), height.into());
         Ok(Self { memory, stride, width, height, window, row: 0, column: 0, format: PhantomData })
@@ -77,11 +77,11 @@ impl<'a, F: PixelFormat> Framebuffer<'a, F> {
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     /// # Errors
-    /// [`Error::BandOutsideScreen`], [`Error::BufferTooSmall`].
-    pub fn band(memory: &'a mut [u8], width: u16, height: u16, rows: Range<u16>) -> Result<Self, Error> {
+    /// [`BufferError::BandOutsideScreen`], [`BufferError::TooSmall`].
+    pub fn band(memory: &'a mut [u8], width: u16, height: u16, rows: Range<u16>) -> Result<Self, BufferError> {
         let Range { start, end } = rows;
         if start > end || end > height {
-            return Err(Error::BandOutsideScreen { start, end, height });
+            return Err(BufferError::BandOutsideScreen { start, end, height });
         }
         let stride = row_bytes::<F>(width);
         check::<F>(memory.len(), width, end - start, stride)?;
@@ -279,17 +279,17 @@ fn distance(from: usize, to: usize) -> i32 {
 
 /// Do `height` rows `stride` bytes apart fit into `given` bytes?
 #[inline]
-pub(super) fn check<F: PixelFormat>(given: usize, width: u16, height: u16, stride: usize) -> Result<(), Error> {
+pub(super) fn check<F: PixelFormat>(given: usize, width: u16, height: u16, stride: usize) -> Result<(), BufferError> {
     let row = row_bytes::<F>(width);
     if stride < row {
-        return Err(Error::StrideTooSmall { needed: row, given: stride });
+        return Err(BufferError::StrideTooSmall { needed: row, given: stride });
     }
     let needed = match height {
         0 => 0,
         _ => stride.saturating_mul(usize::from(height) - 1).saturating_add(row),
     };
     if given < needed {
-        return Err(Error::BufferTooSmall { needed, given });
+        return Err(BufferError::TooSmall { needed, given });
     }
     Ok(())
 }

@@ -16,7 +16,7 @@ use embedded_graphics_core::{
 
 use super::Surface;
 use crate::{
-    error::Error,
+    error::BufferError,
     num::cast::{index, low_u8},
     pixel::{packed::merge, PixelFormat},
     rect::Rect,
@@ -51,12 +51,12 @@ impl<'a, C: PixelColor + PixelFormat<Color = C>> Paged<'a, C> {
     /// A screen of `width` x `height` pixels; a last page of fewer than eight rows takes whole bytes all the same.
     ///
     /// # Errors
-    /// [`Error::BufferTooSmall`] if `memory` is shorter than [`paged_bytes`].
-    pub fn new(memory: &'a mut [u8], width: u16, height: u16) -> Result<Self, Error> {
+    /// [`BufferError::TooSmall`] if `memory` is shorter than [`paged_bytes`].
+    pub fn new(memory: &'a mut [u8], width: u16, height: u16) -> Result<Self, BufferError> {
         const { assert!(C::BITS == 1, "a paged surface holds 1-bit colours") };
         let (needed, given) = (paged_bytes(width, height), memory.len());
         if given < needed {
-            return Err(Error::BufferTooSmall { needed, given });
+            return Err(BufferError::TooSmall { needed, given });
         }
         let window = Rect::new(0, 0, width.into(), height.into());
         Ok(Self { memory, width, height, window, color: core::marker::PhantomData })

@@ -14,7 +14,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::{row_bytes, Lsb0},
-    Bitmap, Canvas, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
+    Bitmap, BufferError, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
 };
 
 use super::{
@@ -123,11 +123,16 @@ pub(crate) trait Kind {
     fn bytes(&self, width: u16, height: u16) -> (usize, usize);
     /// The surface that `twin` is the twin of, in other bytes.
     fn open<'a>(&self, twin: &Naive, bytes: &'a mut [u8]) -> Box<dyn Frame + 'a>;
-    fn packed<'a>(&self, memory: &'a mut [u8], width: u16, height: u16) -> Result<Box<dyn Frame + 'a>, Error>;
-    fn strided(&self, memory: &mut [u8], width: u16, height: u16, stride: usize) -> Result<(), Error>;
-    fn band<'a>(&self, memory: &'a mut [u8], size: (u16, u16), rows: Range<u16>) -> Result<Box<dyn Frame + 'a>, Error>;
-    fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), Error>;
-    fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), Error>;
+    fn packed<'a>(&self, memory: &'a mut [u8], width: u16, height: u16) -> Result<Box<dyn Frame + 'a>, BufferError>;
+    fn strided(&self, memory: &mut [u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError>;
+    fn band<'a>(
+        &self,
+        memory: &'a mut [u8],
+        size: (u16, u16),
+        rows: Range<u16>,
+    ) -> Result<Box<dyn Frame + 'a>, BufferError>;
+    fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), BufferError>;
+    fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError>;
     /// The bytes of some pixels of a bitmap in the memory of `twin`.
     fn bitmap_bytes(&self, twin: &Naive, area: Rect) -> Vec<Vec<u8>>;
 }
@@ -189,23 +194,28 @@ impl<F: PixelFormat> Kind for Of<F> {
         boxed(twin.frame::<F>(bytes))
     }
 
-    fn packed<'a>(&self, memory: &'a mut [u8], width: u16, height: u16) -> Result<Box<dyn Frame + 'a>, Error> {
+    fn packed<'a>(&self, memory: &'a mut [u8], width: u16, height: u16) -> Result<Box<dyn Frame + 'a>, BufferError> {
         Framebuffer::<F>::new(memory, width, height).map(boxed)
     }
 
-    fn strided(&self, memory: &mut [u8], width: u16, height: u16, stride: usize) -> Result<(), Error> {
+    fn strided(&self, memory: &mut [u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError> {
         Framebuffer::<F>::with_stride(memory, width, height, stride).map(|_| ())
     }
 
-    fn band<'a>(&self, memory: &'a mut [u8], size: (u16, u16), rows: Range<u16>) -> Result<Box<dyn Frame + 'a>, Error> {
+    fn band<'a>(
+        &self,
+        memory: &'a mut [u8],
+        size: (u16, u16),
+        rows: Range<u16>,
+    ) -> Result<Box<dyn Frame + 'a>, BufferError> {
         Framebuffer::<F>::band(memory, size.0, size.1, rows).map(boxed)
     }
 
-    fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), Error> {
+    fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), BufferError> {
         Bitmap::<F>::new(memory, width, height).map(|_| ())
     }
 
-    fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), Error> {
+    fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError> {
         Bitmap::<F>::with_stride(memory, width, height, stride).map(|_| ())
     }
 

@@ -8,7 +8,7 @@ use embedded_raster::{
         triangulate::{self, SideSlot},
     },
     raster::triangle,
-    Error, FillRule, Rect,
+    FillRule, Rect, TriangulateError,
 };
 
 use super::{
@@ -60,7 +60,7 @@ pub(crate) fn nodes(contours: &Contours) -> usize {
     contours.concat().len() + 2 * contours.len().saturating_sub(1) + touches
 }
 
-pub(crate) fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16; 3]>), Error> {
+pub(crate) fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16; 3]>), TriangulateError> {
     let (units, starts) = flat(contours);
     let places = vertices(&units);
     let needed = nodes(contours);
@@ -126,7 +126,7 @@ pub(crate) fn check(contours: &Contours, window: Rect) -> bool {
     let what = || format!("{contours:?}");
     let result = triangulated(contours);
     if let Some((first, second)) = first_crossing(contours) {
-        assert_eq!(result, Err(Error::SidesCross { first, second }), "{}", what());
+        assert_eq!(result, Err(TriangulateError::SidesCross { first, second }), "{}", what());
         return false;
     }
     let (units, mut triangles) = result.unwrap_or_else(|e| panic!("{e}: {}", what()));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
-use embedded_raster::{surface::Counter, Canvas, EdgeSlot, Error, FillRule, PointFx, Rect, Surface};
+use embedded_raster::{surface::Counter, Canvas, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect, Surface};
 
 use super::{Map, Part, Place, Screen};
 
@@ -70,14 +70,14 @@ impl World {
     /// * `ink`: what a part is painted with.
     ///
     /// # Errors
-    /// [`Error::EdgeTableFull`] if a row of a country has more edges than `table`.
+    /// [`EdgeTableFull`] if a row of a country has more edges than `table`.
     pub fn draw<S: Surface>(
         &self,
         surface: &mut S,
         table: &mut [EdgeSlot],
         layer: Layer,
         ink: impl Fn(Part) -> S::Color,
-    ) -> Result<(), Error> {
+    ) -> Result<(), EdgeTableFull> {
         surface.fill_window(ink(Part::Sea));
         for line in &self.grid {
             surface.draw_polyline(line.iter().copied(), ink(Part::Grid));
@@ -120,7 +120,7 @@ impl World {
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub fn areas(&self, table: &mut [EdgeSlot]) -> Result<Vec<u64>, Error> {
+    pub fn areas(&self, table: &mut [EdgeSlot]) -> Result<Vec<u64>, EdgeTableFull> {
         self.countries.iter().map(|rings| self.area(rings.iter(), table)).collect()
     }
 
@@ -128,7 +128,7 @@ impl World {
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
-    pub fn globe(&self, table: &mut [EdgeSlot]) -> Result<u64, Error> {
+    pub fn globe(&self, table: &mut [EdgeSlot]) -> Result<u64, EdgeTableFull> {
         self.area([&self.rim].into_iter(), table)
     }
 
@@ -136,7 +136,7 @@ impl World {
         &self,
         rings: impl Iterator<Item = &'a Vec<PointFx>> + Clone,
         table: &mut [EdgeSlot],
-    ) -> Result<u64, Error> {
+    ) -> Result<u64, EdgeTableFull> {
         let mut counter = Counter::new(self.window());
         counter.fill_contours(rings, FillRule::EvenOdd, table, BinaryColor::On)?;
         Ok(counter.pixels)

@@ -38,7 +38,7 @@ use super::{
     exact::{turn_at, Place},
     PointFx,
 };
-use crate::error::Error;
+use crate::error::TriangulateError;
 
 /// One slot of scratch memory: a side and the corner where it starts.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -75,24 +75,24 @@ const LIMIT: usize = u16::MAX as usize;
 ///   vertex lies on a side between its ends are enough.
 ///
 /// # Errors
-/// [`Error::SidesCross`] with the first two sides that do, or else [`Error::NodeTableFull`]. Nothing was emitted then.
+/// [`TriangulateError::SidesCross`] with the first two sides that do, or else [`TriangulateError::SideTableFull`]. Nothing was emitted then.
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx};
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx, TriangulateError};
 /// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = vec![];
 /// triangulate::each(&arrow, &[], &mut [SideSlot::EMPTY; 4], |triangle| triangles.push(triangle))?;
 /// assert_eq!(triangles, [[3, 0, 1], [1, 2, 3]]);
 /// let bow_tie = [(0, 0), (4, 4), (4, 0), (0, 4)].map(|(x, y)| PointFx::px(x, y));
 /// let error = triangulate::each(&bow_tie, &[], &mut [SideSlot::EMPTY; 4], |_| {});
-/// assert_eq!(error, Err(Error::SidesCross { first: 0, second: 2 }));
-/// # Ok::<(), Error>(())
+/// assert_eq!(error, Err(TriangulateError::SidesCross { first: 0, second: 2 }));
+/// # Ok::<(), TriangulateError>(())
 /// ```
 pub fn each(
     vertices: &[PointFx],
     starts: &[u16],
     nodes: &mut [SideSlot],
     emit: impl FnMut([u16; 3]),
-) -> Result<(), Error> {
+) -> Result<(), TriangulateError> {
     let sides = Sides::new(vertices, starts);
     check(sides, starts.len(), nodes.len().min(LIMIT))?;
     run(sides, nodes, emit);
@@ -106,24 +106,24 @@ pub fn each(
 /// For the rest, and an example, see [`each`].
 ///
 /// # Errors
-/// Those of [`each`], or else [`Error::TriangleTableFull`].
+/// Those of [`each`], or else [`TriangulateError::TriangleTableFull`].
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx};
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx, TriangulateError};
 /// let frame = [(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (6, 3), (6, 6), (3, 6)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = [[0; 3]; 8];
 /// assert_eq!(triangulate::list(&frame, &[4], &mut [SideSlot::EMPTY; 10], &mut triangles)?, 8);
-/// # Ok::<(), Error>(())
+/// # Ok::<(), TriangulateError>(())
 /// ```
 pub fn list(
     vertices: &[PointFx],
     starts: &[u16],
     nodes: &mut [SideSlot],
     triangles: &mut [[u16; 3]],
-) -> Result<usize, Error> {
+) -> Result<usize, TriangulateError> {
     let sides = Sides::new(vertices, starts);
     let needed = check(sides, starts.len(), nodes.len().min(LIMIT))?.saturating_sub(2);
     if triangles.len() < needed {
-        return Err(Error::TriangleTableFull { capacity: triangles.len(), needed });
+        return Err(TriangulateError::TriangleTableFull { capacity: triangles.len(), needed });
     }
     let mut count = 0_usize;
     run(sides, nodes, |triangle| {
@@ -136,13 +136,13 @@ pub fn list(
 }
 
 /// What can go wrong; or how many nodes are enough.
-fn check(sides: Sides<'_>, further: usize, capacity: usize) -> Result<usize, Error> {
+fn check(sides: Sides<'_>, further: usize, capacity: usize) -> Result<usize, TriangulateError> {
     if let Some((first, second)) = sides.crossing() {
-        return Err(Error::SidesCross { first, second });
+        return Err(TriangulateError::SidesCross { first, second });
     }
     let needed = sides.count().saturating_add(further.saturating_mul(2)).saturating_add(sides.touches());
     if needed > capacity {
-        return Err(Error::NodeTableFull { capacity, needed });
+        return Err(TriangulateError::SideTableFull { capacity, needed });
     }
     Ok(needed)
 }
