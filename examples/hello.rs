@@ -8,7 +8,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut ram = [0; buffer_bytes::<Index4>(64, 48)]; // 1,536 bytes: a display driver would be sent these
     let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
     frame.clear(Index4::new(1));
-    frame.fill_triangle([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Index4::new(14));
+    frame.fill_triangle_fx([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Index4::new(14));
     frame.draw_line(Point::new(-9, 47), Point::new(70, 0), Index4::new(12));
 
     let picture = Picture::indexed(&frame, &EGA);

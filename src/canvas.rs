@@ -7,54 +7,98 @@ use core::{borrow::Borrow, iter::once};
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
 
+use self::flood::Area;
 use crate::{
     error::EdgeTableFull,
-    geom::{Path, PathSegment, PointFx},
+    geom::{polygon::FillRule, Path, PathSegment, PointFx},
+    paint::{Brush, Paint, Solid},
+    pixel::PixelFormat,
     raster::{
-        arc,
-        ellipse::{self, Disc},
-        line, outline, polygon, rectangle, rounded,
-        stroke::Dashing,
-        triangle, EdgeSlot, Ellipse, FillRule, Radii, Sector, Stroke,
+        arc::{self, Sector},
+        ellipse::{self, Ellipse},
+        flood::{self as pour, Connectivity, FloodSlot},
+        line, outline,
+        polygon::{self, EdgeSlot},
+        rectangle,
+        rounded::{self, Radii},
+        stroke::{self, Dashing, Stroke},
+        triangle,
     },
-    rect::Rect,
-    span::ClippedSpan,
-    surface::Surface,
+    span::Rect,
+    surface::{Frame, Layout, Readable, Rows, Surface},
 };
 
-/// Draws shapes on any [`Surface`]. Whatever lies outside of its window is clipped, exactly.
+/// Draws on any [`Surface`]. Whatever lies outside of its window is clipped, exactly.
 ///
-/// Lines join pixels ([`Point`]); filled shapes are given by places on the plane ([`PointFx`]). Each method links only the
-/// code of its own shape.
+/// **Words.** `draw_` is a line one pixel wide, `fill_` the inside of a shape, `stroke_` a line with a width. `blit` copies a
+/// picture.
+///
+/// **Pixels and places.** A method with a plain name is given pixels: a [`Point`], or the box of pixels that a [`Rect`] is.
+/// Corners of filled triangles and polygons stand for the centres of pixels. A method whose name ends in `_fx` is given places
+/// on the plane, to 1/256 of a pixel: a [`PointFx`], or a shape made of such places, as [`Path`] and [`Ellipse`] are.
+///
+/// **Arguments.** First the shape, then options, then scratch memory, then the colour. Colours may be any
+/// [`Paint`]: see [`paint`](Self::paint).
+///
+/// Each method links only the code of its own shape.
 /// ```
 /// use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb565, prelude::RgbColor};
 /// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, PointFx};
 /// let mut ram = [0; buffer_bytes::<Rgb565>(64, 48)];
 /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 48)?;
-/// frame.fill_triangle([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Rgb565::RED);
+/// frame.fill_triangle_fx([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Rgb565::RED);
 /// frame.draw_line(Point::new(0, 0), Point::new(63, 47), Rgb565::WHITE);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 pub trait Canvas: Surface {
+    /// Draws a shape in any paint: calls `draw` with the window and a [`Brush`], which every function in
+    /// [`raster`](crate::raster) takes. All other methods are this one with a [`Solid`] colour.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{raster::rectangle, Canvas, ClippedSpan, Framebuffer, Paint, Rect, Surface};
+    ///
+    /// /// Darker from left to right.
+    /// struct Fade;
+    ///
+    /// impl<S: Surface<Color = Gray8>> Paint<S> for Fade {
+    ///     fn span(&mut self, on: &mut S, span: ClippedSpan) {
+    ///         on.write_span(span, |x| Gray8::new(255 - 10 * x as u8));
+    ///     }
+    /// }
+    ///
+    /// let mut ram = [0; 6];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 1)?;
+    /// frame.paint(Fade, |window, brush| rectangle::fill(Rect::new(1, 0, 4, 1), window, brush));
+    /// assert_eq!(ram, [0, 245, 235, 225, 0, 0]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline(always)]
+    fn paint<P: Paint<Self>, R>(&mut self, paint: P, draw: impl FnOnce(Rect, Brush<'_, Self, P>) -> R) -> R {
+        draw(self.window(), Brush::new(self, paint))
+    }
+
     /// Paints everything that can be painted.
     #[inline]
     fn fill_window(&mut self, color: Self::Color) {
         self.fill_area(self.window(), color);
     }
 
+    /// Paints a pixel.
+    #[inline]
+    fn draw_point(&mut self, at: Point, color: Self::Color) {
+        self.set(at, color);
+    }
+
     /// Paints the pixel that contains a place.
     #[inline]
-    fn draw_point(&mut self, at: PointFx, color: Self::Color) {
-        let Point { x, y } = at.pixel();
-        self.fill_area(Rect::new(x, y, x + 1, y + 1), color);
+    fn draw_point_fx(&mut self, at: PointFx, color: Self::Color) {
+        self.set(at.pixel(), color);
     }
 
     /// Draws a line one pixel wide, both ends included: see [`line`](crate::raster::line) for which pixels.
     #[inline]
     fn draw_line(&mut self, a: Point, b: Point, color: Self::Color) {
-        if let Some(steps) = line::clip(a, b, self.window()) {
-            self.fill_steps(steps, color);
-        }
+        self.paint(Solid(color), |window, brush| line::draw(a, b, window, brush));
     }
 
     /// Draws lines from each point to the next. Inner points are painted twice, which matters to nobody but a counter.
@@ -89,7 +133,15 @@ pub trait Canvas: Surface {
         }
     }
 
-    /// Draws the outline of a box of pixels, one pixel wide, each pixel once.
+    /// Draws the outline of a triangle: lines between its corners.
+    #[inline]
+    fn draw_triangle(&mut self, [a, b, c]: [Point; 3], color: Self::Color) {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            self.draw_line(from, to, color);
+        }
+    }
+
+    /// Draws the outline of a rectangle, one pixel wide, each pixel once.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{Canvas, Framebuffer, Rect};
@@ -101,102 +153,136 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn draw_rectangle(&mut self, area: Rect, color: Self::Color) {
-        for side in rectangle::sides(area) {
-            self.fill_area(side, color);
-        }
+        self.paint(Solid(color), |window, brush| rectangle::outline(area, window, brush));
+    }
+
+    /// Fills a rectangle of pixels.
+    #[inline]
+    fn fill_rectangle(&mut self, area: Rect, color: Self::Color) {
+        self.fill_area(area, color);
     }
 
     /// Fills a rectangle given by two opposite corners: the pixels whose centres lie inside, those on the left and top
     /// sides included.
     #[inline]
-    fn fill_rectangle(&mut self, a: PointFx, b: PointFx, color: Self::Color) {
+    fn fill_rectangle_fx(&mut self, a: PointFx, b: PointFx, color: Self::Color) {
         self.fill_area(rectangle::pixels(a, b), color);
+    }
+
+    /// Fills the triangle between the centres of three pixels.
+    #[inline]
+    fn fill_triangle(&mut self, corners: [Point; 3], color: Self::Color) {
+        self.fill_triangle_fx(corners.map(PointFx::centre_of), color);
     }
 
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
     #[inline]
-    fn fill_triangle(&mut self, corners: [PointFx; 3], color: Self::Color) {
-        triangle::fill_to(corners, self.window(), &mut Brush { surface: self, color });
+    fn fill_triangle_fx(&mut self, corners: [PointFx; 3], color: Self::Color) {
+        self.paint(Solid(color), |window, brush| triangle::fill(corners, window, brush));
     }
 
-    /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
+    /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).
+    #[inline]
+    fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| ellipse::outline(area, window, brush));
+    }
+
+    /// Fills the ellipse in a box of pixels, or the circle if that is a square: see [`ellipse`](crate::raster::ellipse).
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
-    /// use embedded_raster::{Canvas, Ellipse, Framebuffer, Rect};
+    /// use embedded_raster::{Canvas, Framebuffer, Rect};
     /// let mut ram = [b'.'; 20];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
-    /// frame.fill_ellipse(Ellipse::in_box(Rect::new(0, 0, 5, 4)), Gray8::new(b'#'));
+    /// frame.fill_ellipse(Rect::new(0, 0, 5, 4), Gray8::new(b'#'));
     /// assert_eq!(&ram, b".###.##########.###.");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn fill_ellipse(&mut self, ellipse: Ellipse, color: Self::Color) {
-        // The loop over a small disc is compiled together with the surface's code.
-        match ellipse::disc(&ellipse, self.window()) {
-            Some(disc) => fill_mirrored(self, disc, color),
-            None => ellipse::fill(ellipse, self.window(), |span| self.fill_span(span, color)),
-        }
+    fn fill_ellipse(&mut self, area: Rect, color: Self::Color) {
+        self.fill_ellipse_fx(Ellipse::in_box(area), color);
     }
 
-    /// Draws the outline, one pixel wide, of the ellipse in a box of pixels.
+    /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
     #[inline]
-    fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
-        match ellipse::octants(area, self.window()) {
-            Some(octants) => self.fill_octants(octants, color),
-            None => ellipse::outline(area, self.window(), |span| self.fill_span(span, color)),
-        }
+    fn fill_ellipse_fx(&mut self, ellipse: Ellipse, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| ellipse::fill(ellipse, window, brush));
     }
 
-    /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included.
+    /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included: what to fill before the outline is
+    /// drawn over it in another colour.
     #[inline]
-    fn fill_enclosed(&mut self, area: Rect, color: Self::Color) {
-        ellipse::enclosed(area, self.window(), |span| self.fill_span(span, color));
+    fn fill_outlined_ellipse(&mut self, area: Rect, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| ellipse::enclosed(area, window, brush));
     }
 
     /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle.
     #[inline]
-    fn draw_round_point(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
-        self.fill_ellipse(Ellipse::splat(at, size), color);
+    fn fill_round_point_fx(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
+        self.fill_ellipse_fx(Ellipse::splat(at, size), color);
     }
 
     /// Paints a square point of any size: the pixels whose centres lie inside, those on the left and top sides included.
     #[inline]
-    fn draw_square_point(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
+    fn fill_square_point_fx(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
         self.fill_area(ellipse::square(at, size), color);
     }
 
     /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
     #[inline]
     fn draw_arc(&mut self, area: Rect, sector: Sector, color: Self::Color) {
-        arc::outline(area, sector, self.window(), |span| self.fill_span(span, color));
+        self.paint(Solid(color), |window, brush| arc::outline(area, sector, window, brush));
     }
 
-    /// Fills a sector of an ellipse, a slice of a pie.
+    /// Fills a sector of the ellipse in a box, a slice of a pie.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
-    /// use embedded_raster::{Angle, Canvas, Ellipse, Framebuffer, Rect, Sector};
+    /// use embedded_raster::{Angle, Canvas, Framebuffer, Rect, Sector};
     /// let mut ram = [b'.'; 36];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 6)?;
     /// let slice = Sector::new(Angle::degrees(-90), Angle::degrees(0));
-    /// frame.fill_sector(Ellipse::in_box(Rect::new(0, 0, 6, 6)), slice, Gray8::new(b'#'));
+    /// frame.fill_sector(Rect::new(0, 0, 6, 6), slice, Gray8::new(b'#'));
     /// assert_eq!(&ram, b"...##....###...###..................");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn fill_sector(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
-        arc::fill(ellipse, sector, self.window(), |span| self.fill_span(span, color));
+    fn fill_sector(&mut self, area: Rect, sector: Sector, color: Self::Color) {
+        self.fill_sector_fx(Ellipse::in_box(area), sector, color);
+    }
+
+    /// Fills a sector of an ellipse.
+    #[inline]
+    fn fill_sector_fx(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| arc::fill(ellipse, sector, window, brush));
+    }
+
+    /// Fills what lies inside of the ellipse in one box and not inside of the one in another.
+    #[inline]
+    fn fill_ring(&mut self, outer: Rect, inner: Rect, color: Self::Color) {
+        self.fill_ring_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), color);
     }
 
     /// Fills what lies inside of `outer` and not inside of `inner`.
     #[inline]
-    fn fill_ring(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
-        arc::ring(outer, inner, self.window(), |span| self.fill_span(span, color));
+    fn fill_ring_fx(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| arc::ring(outer, inner, window, brush));
     }
 
-    /// Fills a sector of a ring.
+    /// Fills a sector of a ring between two boxes, seen from the centre of the outer one.
     #[inline]
-    fn fill_ring_sector(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
-        arc::ring_sector(outer, inner, sector, self.window(), |span| self.fill_span(span, color));
+    fn fill_ring_sector(&mut self, outer: Rect, inner: Rect, sector: Sector, color: Self::Color) {
+        self.fill_ring_sector_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), sector, color);
+    }
+
+    /// Fills a sector of a ring, seen from the centre of `outer`.
+    #[inline]
+    fn fill_ring_sector_fx(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| arc::ring_sector(outer, inner, sector, window, brush));
+    }
+
+    /// Draws the outline of a rectangle with rounded corners, one pixel wide.
+    #[inline]
+    fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| rounded::outline(area, radii, window, brush));
     }
 
     /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels.
@@ -211,44 +297,46 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        // The rows between the corners at once.
-        let (window, middle) = (self.window(), rounded::straight(area, radii));
-        self.fill_area(middle, color);
-        if let Some(corners) = rounded::corners(area, radii, window) {
-            return fill_mirrored(self, corners, color);
-        }
-        for part in [Rect { y1: window.y1.min(middle.y0), ..window }, Rect { y0: window.y0.max(middle.y1), ..window }] {
-            rounded::fill(area, radii, part, |span| self.fill_span(span, color));
-        }
+        self.paint(Solid(color), |window, brush| rounded::fill(area, radii, window, brush));
     }
 
-    /// Draws the outline of a rectangle with rounded corners, one pixel wide.
-    #[inline]
-    fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        rounded::outline(area, radii, self.window(), |span| self.fill_span(span, color));
-    }
-
-    /// Fills a polygon of one contour, closed by itself. `table` is scratch memory: see [`polygon::fill`].
+    /// Fills the polygon between the centres of pixels, closed by itself. `table` is scratch memory: see [`polygon::fill`].
     ///
     /// # Errors
     /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
     #[inline]
     fn fill_polygon(
         &mut self,
-        outline: &[PointFx],
+        corners: &[Point],
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        polygon::fill([outline], rule, self.window(), table, |span| self.fill_span(span, color))
+        let places = corners.iter().map(|&corner| PointFx::centre_of(corner));
+        self.paint(Solid(color), |window, brush| polygon::fill([places], rule, table, window, brush))
+    }
+
+    /// Fills a polygon of one contour, closed by itself.
+    ///
+    /// # Errors
+    /// As for [`fill_polygon`](Self::fill_polygon).
+    #[inline]
+    fn fill_polygon_fx(
+        &mut self,
+        contour: &[PointFx],
+        rule: FillRule,
+        table: &mut [EdgeSlot],
+        color: Self::Color,
+    ) -> Result<(), EdgeTableFull> {
+        self.paint(Solid(color), |window, brush| polygon::fill([contour], rule, table, window, brush))
     }
 
     /// Fills a polygon of many contours, such as a country with islands and lakes: see [`polygon::fill`].
     ///
     /// # Errors
-    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    /// As for [`fill_polygon`](Self::fill_polygon).
     #[inline]
-    fn fill_contours<C>(
+    fn fill_contours_fx<C>(
         &mut self,
         contours: C,
         rule: FillRule,
@@ -261,7 +349,13 @@ pub trait Canvas: Surface {
         C::Item: IntoIterator,
         <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
-        polygon::fill(contours, rule, self.window(), table, |span| self.fill_span(span, color))
+        self.paint(Solid(color), |window, brush| polygon::fill(contours, rule, table, window, brush))
+    }
+
+    /// Draws the outline of a path, one pixel wide: see [`outline`](crate::raster::outline) for which pixels.
+    #[inline]
+    fn draw_path_fx(&mut self, path: Path<'_>, color: Self::Color) {
+        self.paint(Solid(color), |window, brush| outline::draw(path, window, brush));
     }
 
     /// Fills a path: see [`flatten`](crate::geom::flatten) for how its curves become lines.
@@ -270,30 +364,23 @@ pub trait Canvas: Surface {
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 8)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
     /// let arch = [MoveTo(PointFx::px(0, 8)), QuadraticTo(PointFx::px(8, -8), PointFx::px(16, 8))];
-    /// frame.fill_path(Path::new(&arch), FillRule::NonZero, &mut [EdgeSlot::EMPTY; 8], Index1::MAX)?;
+    /// frame.fill_path_fx(Path::new(&arch), FillRule::NonZero, &mut [EdgeSlot::EMPTY; 8], Index1::MAX)?;
     /// let rows = [0b0000_0011_1100_0000_u16, 0b0000_0111_1110_0000, 0b0000_1111_1111_0000];
     /// assert_eq!(ram[..6], rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    /// As for [`fill_polygon`](Self::fill_polygon).
     #[inline]
-    fn fill_path(
+    fn fill_path_fx(
         &mut self,
         path: Path<'_>,
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        let window = self.window();
-        polygon::fill(path.contours_in(window), rule, window, table, |span| self.fill_span(span, color))
-    }
-
-    /// Draws the outline of a path, one pixel wide: see [`outline`](crate::raster::outline) for which pixels.
-    #[inline]
-    fn draw_path(&mut self, path: Path<'_>, color: Self::Color) {
-        outline::draw(path, self.window(), |span| self.fill_span(span, color));
+        self.paint(Solid(color), |window, brush| polygon::fill(path.contours_in(window), rule, table, window, brush))
     }
 
     /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.
@@ -303,20 +390,20 @@ pub trait Canvas: Surface {
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 4)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 4)?;
     /// let [a, b] = [0, 15].map(|x| PointFx::centre_of(Point::new(x, 0)));
-    /// frame.draw_quadratic([a, PointFx::px(8, 7), b], Index1::MAX);
+    /// frame.draw_quadratic_fx([a, PointFx::px(8, 7), b], Index1::MAX);
     /// let rows = [0b1000_0000_0000_0001_u16, 0b0110_0000_0000_0110, 0b0001_1000_0001_1000, 0b0000_0111_1110_0000];
     /// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn draw_quadratic(&mut self, [a, c, b]: [PointFx; 3], color: Self::Color) {
-        self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
+    fn draw_quadratic_fx(&mut self, [a, c, b]: [PointFx; 3], color: Self::Color) {
+        self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
     }
 
     /// Draws a cubic Bézier curve one pixel wide: start, two control points, end.
     #[inline]
-    fn draw_cubic(&mut self, [a, c, d, b]: [PointFx; 4], color: Self::Color) {
-        self.draw_path(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
+    fn draw_cubic_fx(&mut self, [a, c, d, b]: [PointFx; 4], color: Self::Color) {
+        self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
     }
 
     /// Draws the outline of a path with a width: see [`stroke`](crate::raster::stroke).
@@ -325,7 +412,7 @@ pub trait Canvas: Surface {
     /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each
     /// piece of the stroke that a row meets takes two slots.
     #[inline]
-    fn stroke_path<D: Dashing>(
+    fn stroke_path_fx<D: Dashing>(
         &mut self,
         path: Path<'_>,
         stroke: &Stroke<D>,
@@ -335,17 +422,15 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let window = self.window();
-        let parts = stroke.of_path(path, window);
-        polygon::fill(parts, FillRule::NonZero, window, table, |span| self.fill_span(span, color))
+        self.paint(Solid(color), |window, brush| stroke::fill(path, stroke, table, window, brush))
     }
 
     /// Draws lines with a width from each place to the next, and back to the first one if they are `closed`.
     ///
     /// # Errors
-    /// As for [`stroke_path`](Self::stroke_path).
+    /// As for [`stroke_path_fx`](Self::stroke_path_fx).
     #[inline]
-    fn stroke_polyline<D: Dashing>(
+    fn stroke_polyline_fx<D: Dashing>(
         &mut self,
         places: &[PointFx],
         closed: bool,
@@ -356,17 +441,15 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let window = self.window();
-        let parts = stroke.of_polyline(places, closed, window);
-        polygon::fill(parts, FillRule::NonZero, window, table, |span| self.fill_span(span, color))
+        self.paint(Solid(color), |window, brush| stroke::fill_polyline(places, closed, stroke, table, window, brush))
     }
 
     /// Draws a line with a width, in pieces that turn the same way: see [`stroke`](crate::raster::stroke).
     ///
     /// # Errors
-    /// As for [`stroke_path`](Self::stroke_path). A solid line takes 4 slots with butt caps, 12 with square ones.
+    /// As for [`stroke_path_fx`](Self::stroke_path_fx). A solid line takes 4 slots with butt caps, 12 with square ones.
     #[inline]
-    fn stroke_line<D: Dashing>(
+    fn stroke_line_fx<D: Dashing>(
         &mut self,
         [a, b]: [PointFx; 2],
         stroke: &Stroke<D>,
@@ -376,32 +459,126 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        self.stroke_polyline(&[a, b], false, stroke, table, color)
+        self.stroke_polyline_fx(&[a, b], false, stroke, table, color)
+    }
+
+    /// Copies a picture so that its top left pixel falls on `at`. What lies outside is clipped. The picture may have any
+    /// layout, with colours of the same type; a view of one may start at any pixel, even within a byte.
+    #[inline]
+    fn blit<M, L>(&mut self, at: Point, picture: &Frame<M, L>)
+    where
+        Self: Sized,
+        M: AsRef<[u8]>,
+        L: Layout<Color = Self::Color>,
+    {
+        self.copy_picture(at, picture, None);
+    }
+
+    /// The same, but pixels of the colour `key` are transparent.
+    #[inline]
+    fn blit_keyed<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Self::Color)
+    where
+        Self: Sized,
+        M: AsRef<[u8]>,
+        L: Layout<Color = Self::Color>,
+    {
+        self.copy_picture(at, picture, Some(key));
+    }
+
+    /// Paints a picture of one bit per pixel in two colours: `on` where a bit is set, and `off` elsewhere, or nothing if that
+    /// is `None`. Glyphs and icons are such pictures. What lies outside is clipped.
+    /// ```
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
+    /// use embedded_raster::{Bitmap, Canvas, Framebuffer, Index4};
+    /// let arrow = Bitmap::<BinaryColor>::new(&[0b0100_0000, 0b1110_0000], 3, 2)?;
+    /// let mut ram = [0; 2 * 2];
+    /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 4, 2)?;
+    /// frame.blit_mask(Point::new(1, 0), &arrow, Index4::new(9), None);
+    /// assert_eq!(ram, [0x00, 0x90, 0x09, 0x99]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn blit_mask<M, F>(
+        &mut self,
+        at: Point,
+        mask: &Frame<M, Rows<F>>,
+        on: Self::Color,
+        off: impl Into<Option<Self::Color>>,
+    ) where
+        Self: Sized,
+        M: AsRef<[u8]>,
+        F: PixelFormat,
+    {
+        const { assert!(F::BITS == 1, "a mask has one bit per pixel") };
+        self.copy_mask(at, mask, on, off.into());
+    }
+
+    /// Moves the pixels of `area` so that its top left one falls on `to`; both may overlap. What the area leaves keeps its
+    /// colours, what lies outside before or after is left out: scrolling by one row is `move_area(whole, (0, -1))`.
+    #[inline]
+    fn move_area(&mut self, area: Rect, to: Point)
+    where
+        Self: Readable,
+    {
+        self.copy_area(area, to, None);
+    }
+
+    /// The same, but pixels of the colour `key` are not copied.
+    #[inline]
+    fn move_area_keyed(&mut self, area: Rect, to: Point, key: Self::Color)
+    where
+        Self: Readable,
+    {
+        self.copy_area(area, to, Some(key));
+    }
+
+    /// Paints the pixels of the seed's colour that are connected with it. A seed outside of the window, or one that has
+    /// the new colour already, paints nothing.
+    ///
+    /// `table` is scratch memory of any length; what it holds does not matter. Returns how many slots the fill wanted: if
+    /// those are more than it was given, it took longer. See [`flood`](crate::raster::flood).
+    /// ```
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
+    /// use embedded_raster::{raster::flood::{Connectivity, FloodSlot}, Canvas, Framebuffer};
+    /// let mut ram = [0b0010_0000, 0b0101_0000, 0b0010_0000];
+    /// let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 8, 3)?;
+    /// frame.flood_fill(Point::new(0, 0), Connectivity::Sides, &mut [FloodSlot::EMPTY; 8], BinaryColor::On);
+    /// assert_eq!(ram, [0b1110_0000, 0b1101_0000, 0b1110_0000]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    fn flood_fill(
+        &mut self,
+        seed: Point,
+        connectivity: Connectivity,
+        table: &mut [FloodSlot],
+        color: Self::Color,
+    ) -> usize
+    where
+        Self: Readable + Sized,
+    {
+        let Some(old) = self.get(seed).filter(|&old| old != color) else { return 0 };
+        let mut area = Area { surface: self, color, is_open: |pixel| pixel == old };
+        pour::fill(&mut area, seed, connectivity, table)
+    }
+
+    /// Paints the pixels of any colour that are connected with the seed, up to pixels of the colour `boundary`. Pixels that
+    /// have the new colour already are a boundary too: nothing tells them from painted ones.
+    ///
+    /// `table` and the result are as for [`flood_fill`](Self::flood_fill).
+    fn flood_fill_to(
+        &mut self,
+        seed: Point,
+        boundary: Self::Color,
+        connectivity: Connectivity,
+        table: &mut [FloodSlot],
+        color: Self::Color,
+    ) -> usize
+    where
+        Self: Readable + Sized,
+    {
+        let mut area = Area { surface: self, color, is_open: |pixel| pixel != boundary && pixel != color };
+        pour::fill(&mut area, seed, connectivity, table)
     }
 }
 
 impl<S: Surface + ?Sized> Canvas for S {}
-
-/// Fills a disc or the corners of a rounded rectangle: two rows at a time, the middle one once.
-#[inline(never)]
-fn fill_mirrored<S: Surface + ?Sized>(surface: &mut S, disc: Disc, color: S::Color) {
-    for [upper, lower] in disc {
-        surface.fill_span(upper, color);
-        if lower.y() != upper.y() {
-            surface.fill_span(lower, color);
-        }
-    }
-}
-
-/// A surface and the colour that spans are painted with.
-struct Brush<'a, S: Surface + ?Sized> {
-    surface: &'a mut S,
-    color: S::Color,
-}
-
-impl<S: Surface + ?Sized> triangle::Sink for Brush<'_, S> {
-    #[inline(always)]
-    fn emit(&mut self, span: ClippedSpan) {
-        self.surface.fill_span(span, self.color);
-    }
-}

@@ -1,7 +1,7 @@
 //! embedded-graphics, both ways.
 //!
-//! * A [`Framebuffer`] and [`Paged`] memory are a `DrawTarget` and `GetPixel`: text, images and widgets made for
-//!   embedded-graphics draw into them.
+//! * A [`Frame`] is a `DrawTarget` and `GetPixel`: text, images and widgets made for embedded-graphics draw into it. Of any
+//!   other surface [`target`] makes one.
 //! * [`draw_on`] makes a [`Surface`] of any other `DrawTarget`: every shape of this crate draws on it.
 //! * [`Recolored`] is a `DrawTarget` that translates colours on their way: an RGB image into an indexed framebuffer.
 
@@ -17,35 +17,36 @@ use embedded_graphics_core::{
 };
 
 use crate::{
-    pixel::PixelFormat,
-    rect::Rect,
-    span::{ClippedSpan, Span},
-    surface::{Framebuffer, Paged, Surface},
+    span::{ClippedSpan, Rect, Span},
+    surface::{Frame, Layout, Surface},
 };
 
-impl<F: PixelFormat> OriginDimensions for Framebuffer<'_, F> {
+impl<M, L: Layout> OriginDimensions for Frame<M, L>
+where
+    M: AsRef<[u8]>,
+{
     fn size(&self) -> Size {
-        Framebuffer::size(self)
+        Frame::size(self)
     }
 }
 
-impl<F: PixelFormat> GetPixel for Framebuffer<'_, F> {
-    type Color = F::Color;
+impl<M: AsRef<[u8]>, L: Layout> GetPixel for Frame<M, L> {
+    type Color = L::Color;
 
     #[inline]
-    fn pixel(&self, p: Point) -> Option<F::Color> {
+    fn pixel(&self, p: Point) -> Option<L::Color> {
         self.get(p)
     }
 }
 
-impl<F: PixelFormat> DrawTarget for Framebuffer<'_, F> {
-    type Color = F::Color;
+impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> DrawTarget for Frame<M, L> {
+    type Color = L::Color;
     type Error = Infallible;
 
     #[inline]
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = Pixel<F::Color>>,
+        I: IntoIterator<Item = Pixel<L::Color>>,
     {
         pixels.into_iter().for_each(|Pixel(p, color)| self.set(p, color));
         Ok(())
@@ -53,80 +54,83 @@ impl<F: PixelFormat> DrawTarget for Framebuffer<'_, F> {
 
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = F::Color>,
+        I: IntoIterator<Item = L::Color>,
     {
-        let mut colors = colors.into_iter().fuse();
-        let window = self.window();
-        for_each_row(area, window, &mut colors, |span, colors| self.write_span(span, colors));
+        write_rows(self, area, colors);
         Ok(())
     }
 
     #[inline]
-    fn fill_solid(&mut self, area: &Rectangle, color: F::Color) -> Result<(), Infallible> {
+    fn fill_solid(&mut self, area: &Rectangle, color: L::Color) -> Result<(), Infallible> {
         self.fill_area((*area).into(), color);
         Ok(())
     }
 
     #[inline]
-    fn clear(&mut self, color: F::Color) -> Result<(), Infallible> {
-        Framebuffer::clear(self, color);
+    fn clear(&mut self, color: L::Color) -> Result<(), Infallible> {
+        Frame::clear(self, color);
         Ok(())
     }
 }
 
-impl<C: PixelColor + PixelFormat<Color = C>> OriginDimensions for Paged<'_, C> {
-    fn size(&self) -> Size {
-        Paged::size(self)
+/// Any surface as a `DrawTarget`: made by [`target`].
+#[derive(Debug)]
+pub struct SurfaceTarget<'a, S>(&'a mut S);
+
+/// A `DrawTarget` that draws on a surface: text, images and widgets of embedded-graphics on a wrapper that counts, logs or
+/// records what is drawn. (A [`Frame`] is a `DrawTarget` by itself.)
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use embedded_raster::{eg, surface::Counter, Rect};
+/// let mut counter = Counter::<Gray8>::new(Rect::new(0, 0, 64, 48));
+/// eg::target(&mut counter).fill_solid(&Rectangle::new(Point::new(60, 0), Size::new(9, 2)), Gray8::new(1))?;
+/// assert_eq!(counter.pixels, 8);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[inline]
+pub fn target<S: Surface>(surface: &mut S) -> SurfaceTarget<'_, S> {
+    SurfaceTarget(surface)
+}
+
+impl<S: Surface> Dimensions for SurfaceTarget<'_, S> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.window().into()
     }
 }
 
-impl<C: PixelColor + PixelFormat<Color = C>> GetPixel for Paged<'_, C> {
-    type Color = C;
-
-    #[inline]
-    fn pixel(&self, p: Point) -> Option<C> {
-        self.get(p)
-    }
-}
-
-impl<C: PixelColor + PixelFormat<Color = C>> DrawTarget for Paged<'_, C> {
-    type Color = C;
+impl<S: Surface> DrawTarget for SurfaceTarget<'_, S> {
+    type Color = S::Color;
     type Error = Infallible;
 
     #[inline]
     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = Pixel<C>>,
+        I: IntoIterator<Item = Pixel<S::Color>>,
     {
-        pixels.into_iter().for_each(|Pixel(p, color)| self.set(p, color));
+        pixels.into_iter().for_each(|Pixel(p, color)| self.0.set(p, color));
         Ok(())
     }
 
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
     where
-        I: IntoIterator<Item = C>,
+        I: IntoIterator<Item = S::Color>,
     {
-        let mut colors = colors.into_iter().fuse();
-        let window = self.window();
-        for_each_row(area, window, &mut colors, |span, colors| {
-            for (x, color) in (span.x0()..span.x1()).zip(colors) {
-                self.set(Point::new(x, span.y()), color);
-            }
-        });
+        write_rows(self.0, area, colors);
         Ok(())
     }
 
     #[inline]
-    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        self.fill_area((*area).into(), color);
+    fn fill_solid(&mut self, area: &Rectangle, color: S::Color) -> Result<(), Infallible> {
+        self.0.fill_area((*area).into(), color);
         Ok(())
     }
+}
 
-    #[inline]
-    fn clear(&mut self, color: C) -> Result<(), Infallible> {
-        Paged::clear(self, color);
-        Ok(())
-    }
+/// Paints colours that fill `area` row by row.
+fn write_rows<S: Surface>(surface: &mut S, area: &Rectangle, colors: impl IntoIterator<Item = S::Color>) {
+    let mut colors = colors.into_iter().fuse();
+    let window = surface.window();
+    for_each_row(area, window, &mut colors, |span, colors| surface.write_some(span, |_| colors.next()));
 }
 
 /// Splits colours that fill `area` row by row into the spans that lie in `window`, skipping what does not.
@@ -183,7 +187,7 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
 /// use embedded_raster::{eg::draw_on, Canvas, PointFx};
 /// let mut display = MockDisplay::new();
 /// draw_on(&mut display, |canvas| {
-///     canvas.fill_triangle([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)], BinaryColor::On);
+///     canvas.fill_triangle_fx([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)], BinaryColor::On);
 /// })?;
 /// display.assert_pattern(&["###", "## ", "#  "]);
 /// # Ok::<(), core::convert::Infallible>(())

@@ -10,20 +10,24 @@ pub mod eg;
 mod error;
 pub mod geom;
 mod num;
-mod octants;
+pub mod paint;
 pub mod pixel;
 pub mod raster;
-mod rect;
 mod span;
 pub mod surface;
-mod target;
+mod tune;
 
 pub use canvas::Canvas;
 pub use error::{BufferError, EdgeTableFull, Error, TriangulateError};
-pub use geom::{Angle, Path, PathSegment, PointFx, Viewport};
-pub use octants::Octants;
+pub use geom::{polygon::FillRule, Angle, Path, PathSegment, PointFx, Viewport};
+pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
-pub use raster::{Cap, Dash, EdgeSlot, Ellipse, FillRule, Join, Radii, Sector, Stroke};
-pub use rect::Rect;
-pub use span::{ClippedSpan, Span, Steps};
-pub use surface::{Bitmap, Framebuffer, Surface};
+pub use raster::{
+    arc::Sector,
+    ellipse::Ellipse,
+    polygon::EdgeSlot,
+    rounded::Radii,
+    stroke::{Cap, Dash, Join, Stroke},
+};
+pub use span::{ClippedSpan, Octants, Rect, Sink, Span, Steps};
+pub use surface::{Bitmap, Frame, Framebuffer, Layout, Readable, Surface};

@@ -326,18 +326,18 @@ fn shapes<S: Surface<Color = Index4>>(surface: &mut S) {
     let mut table = [EdgeSlot::EMPTY; 8];
     surface.fill_window(color(1));
     surface.fill_area(Rect::new(50, 30, i32::MAX, i32::MAX), color(2));
-    surface.fill_rectangle(PointFx::from_bits(700, 900), PointFx::from_bits(4000, 2000), color(3));
-    surface.fill_triangle([PointFx::px(-9, 20), PointFx::px(30, -5), PointFx::px(70, 60)], color(4));
+    surface.fill_rectangle_fx(PointFx::from_bits(700, 900), PointFx::from_bits(4000, 2000), color(3));
+    surface.fill_triangle_fx([PointFx::px(-9, 20), PointFx::px(30, -5), PointFx::px(70, 60)], color(4));
     let star = [(30, 2), (42, 38), (11, 15), (49, 15), (18, 38)].map(|(x, y)| PointFx::px(x, y));
-    surface.fill_polygon(&star, FillRule::EvenOdd, &mut table, color(5)).expect("eight edges are enough");
+    surface.fill_polygon_fx(&star, FillRule::EvenOdd, &mut table, color(5)).expect("eight edges are enough");
     let inner = [(2, 25), (9, 25), (9, 36), (2, 36)].map(|(x, y)| PointFx::px(x, y));
     let outer = [(0, 22), (12, 22), (12, 70), (0, 70)].map(|(x, y)| PointFx::px(x, y));
-    surface.fill_contours([outer, inner], FillRule::EvenOdd, &mut table, color(6)).expect("eight edges are enough");
+    surface.fill_contours_fx([outer, inner], FillRule::EvenOdd, &mut table, color(6)).expect("eight edges are enough");
     surface.draw_line(Point::new(-1000, -700), Point::new(1000, 730), color(7));
     surface.draw_line(Point::new(40, 3), Point::new(44, 300), color(8));
     surface.draw_polyline([(3, 3), (58, 8), (55, 37), (3, 3)].map(Point::from), color(9));
-    surface.draw_point(PointFx::from_bits(15_000, 9_000), color(10));
-    surface.draw_point(PointFx::px(-1, 0), color(11));
+    surface.draw_point_fx(PointFx::from_bits(15_000, 9_000), color(10));
+    surface.draw_point_fx(PointFx::px(-1, 0), color(11));
 }
 
 #[test]
@@ -419,7 +419,7 @@ fn a_result_comes_back_from_the_closure() {
     let mut display = Flaky { calls: 0, good: u32::MAX };
     let full = draw_on(&mut display, |canvas| {
         let square = [(0, 0), (9, 0), (9, 9), (0, 9)].map(|(x, y)| PointFx::px(x, y));
-        canvas.fill_polygon(&square, FillRule::NonZero, &mut [EdgeSlot::EMPTY; 1], Index4::new(3))
+        canvas.fill_polygon_fx(&square, FillRule::NonZero, &mut [EdgeSlot::EMPTY; 1], Index4::new(3))
     });
     let expected = embedded_raster::EdgeTableFull { capacity: 1, needed: 2, row: 0 };
     assert_eq!((full, display.calls), (Ok(Err(expected)), 0), "the table is full before anything is painted");

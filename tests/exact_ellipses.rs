@@ -121,7 +121,7 @@ fn mirror_images_are_the_whole() {
             hits.draw_ellipse(area, BinaryColor::On);
             assert_runs(window, &hits.runs(), &wanted, || format!("spans of a circle of {size} pixels"));
             let (ellipse, mut hits) = (Ellipse::in_box(area), Hits::new(window));
-            hits.fill_ellipse(ellipse, BinaryColor::On);
+            hits.fill_ellipse_fx(ellipse, BinaryColor::On);
             assert_runs(window, &hits.runs(), &filled(ellipse, window), || format!("disc of {size} pixels"));
         }
         let side = (size + 5) as u16;

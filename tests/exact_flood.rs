@@ -21,7 +21,7 @@ use embedded_raster::{
     pixel::Lsb0,
     raster::flood::{fill, Connectivity, FloodSlot},
     surface::{paged_bytes, Paged},
-    Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect,
+    Canvas, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Surface,
 };
 use support::{letters::Letters, rng::Rng};
 
@@ -249,10 +249,12 @@ fn in_memory<F: PixelFormat>(seed: u64) {
             .collect();
         let mut table = vec![FloodSlot::EMPTY; rng.index(6)];
         let mut clipped = frame.clipped(window);
-        match boundary {
-            Some(boundary) => clipped.flood_fill_to(seed, boundary, reach, new, &mut table),
-            None => clipped.flood_fill(seed, reach, new, &mut table),
-        }
+        let wanted_slots = match boundary {
+            Some(boundary) => clipped.flood_fill_to(seed, boundary, reach, &mut table, new),
+            None => clipped.flood_fill(seed, reach, &mut table, new),
+        };
+        let used = table.iter().filter(|&&slot| slot != FloodSlot::EMPTY).count();
+        assert!(used <= wanted_slots && (used == table.len() || used == wanted_slots), "slots that were wanted");
         let got: Vec<_> = (0..width * height).map(|i| color(&frame, i % width, i / width)).collect();
         assert!(got == wanted, "round {round}: {reach:?} from {seed:?} in\n{}", letters.text());
     }
@@ -286,7 +288,7 @@ fn pages() {
             oled.set(Point::new(x, y), BinaryColor::from(picture.at(x, y) == Some(b'#')));
         }
         let (seed, reach) = ((rng.int(0, 22), rng.int(0, 18)), rng.pick(&REACHES));
-        oled.flood_fill(Point::new(seed.0, seed.1), reach, BinaryColor::On, &mut [FloodSlot::EMPTY; 3]);
+        oled.flood_fill(Point::new(seed.0, seed.1), reach, &mut [FloodSlot::EMPTY; 3], BinaryColor::On);
         let wanted = picture.flooded(seed, reach);
         for (x, y) in points() {
             let on = oled.get(Point::new(x, y)) == Some(BinaryColor::On);
@@ -301,6 +303,6 @@ fn unused_bits() {
     let mut ram = [0, 0, 0, 0x80, 0, 0];
     let mut frame = Framebuffer::<Rgb555>::new(&mut ram, 3, 1).expect("enough bytes");
     let red = Rgb555::new(31, 0, 0);
-    frame.flood_fill(Point::new(0, 0), Connectivity::Sides, red, &mut [FloodSlot::EMPTY]);
+    frame.flood_fill(Point::new(0, 0), Connectivity::Sides, &mut [FloodSlot::EMPTY], red);
     assert_eq!(frame.get(Point::new(2, 0)), Some(red));
 }

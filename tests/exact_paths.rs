@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use embedded_raster::{
     raster::{self, polygon},
-    EdgeSlot, FillRule, Path, PointFx, Rect,
+    ClippedSpan, EdgeSlot, FillRule, Path, PointFx, Rect,
 };
 use support::{
     assert_runs, collect,
@@ -42,7 +42,7 @@ fn filled(pieces: &[Piece], rule: FillRule, window: Rect, capacity: usize) -> Ve
     let mut table = vec![EdgeSlot::EMPTY; capacity];
     collect(window, |emit| {
         let contours = Path::new(&path).contours_in(window);
-        polygon::fill(contours, rule, window, &mut table, emit).expect("enough slots");
+        polygon::fill(contours, rule, &mut table, window, emit).expect("enough slots");
     })
 }
 
@@ -250,7 +250,9 @@ fn small_tables_and_tiles_show_the_same_path() {
 fn drawn(path: &[Piece], window: Rect) -> Vec<(i32, i32)> {
     let path = segments(path);
     let mut pixels = vec![];
-    raster::outline::draw(Path::new(&path), window, |s| pixels.extend((s.x0()..s.x1()).map(|x| (x, s.y()))));
+    raster::outline::draw(Path::new(&path), window, |s: ClippedSpan| {
+        pixels.extend((s.x0()..s.x1()).map(|x| (x, s.y())));
+    });
     assert!(pixels.iter().all(|p| window.contains(p.0, p.1)), "outside of the window");
     pixels.sort_unstable();
     pixels.dedup();

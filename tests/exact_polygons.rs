@@ -6,7 +6,7 @@ mod support;
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     raster::{polygon, rectangle, triangle},
-    Canvas, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect,
+    Canvas, ClippedSpan, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect,
 };
 use support::{
     assert_runs, collect, corners,
@@ -27,7 +27,7 @@ fn filled(contours: &[Vec<Units>], rule: FillRule, window: Rect, capacity: usize
     let mut result = Ok(());
     let mut emitted = 0;
     let runs = collect(window, |emit| {
-        result = polygon::fill(contours.iter(), rule, window, &mut table, |span| {
+        result = polygon::fill(contours.iter(), rule, &mut table, window, |span: ClippedSpan| {
             emitted += 1;
             emit(span);
         });
@@ -293,14 +293,14 @@ fn contours_are_any_iterators() {
     let mut table = [EdgeSlot::EMPTY; 3];
     let by_value = collect(window, |emit| {
         let ring = ring.iter().map(|&(x, y)| PointFx::from_bits(x, y));
-        polygon::fill(core::iter::once(ring), FillRule::NonZero, window, &mut table, emit).expect("enough slots");
+        polygon::fill(core::iter::once(ring), FillRule::NonZero, &mut table, window, emit).expect("enough slots");
     });
     assert_eq!(by_value, wanted);
     let list = vertices(&ring);
     let by_reference = collect(window, |emit| {
-        polygon::fill([&list[..]], FillRule::NonZero, window, &mut table, emit).expect("enough slots");
+        polygon::fill([&list[..]], FillRule::NonZero, &mut table, window, emit).expect("enough slots");
     });
     assert_eq!(by_reference, wanted);
     let nothing: [&[PointFx]; 0] = [];
-    assert_eq!(collect(window, |emit| polygon::fill(nothing, FillRule::NonZero, window, &mut [], emit).unwrap()), []);
+    assert_eq!(collect(window, |emit| polygon::fill(nothing, FillRule::NonZero, &mut [], window, emit).unwrap()), []);
 }

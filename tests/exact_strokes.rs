@@ -31,14 +31,14 @@ fn path_pixels(pieces: &[Piece], pen: Pen, window: Rect) -> Vec<Run> {
     let path = segments(pieces);
     let parts = stroke(pen).of_path(Path::new(&path), window);
     let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
 }
 
 fn polyline_pixels(units: &[Units], closed: bool, pen: Pen, window: Rect) -> Vec<Run> {
     let places = vertices(units);
     let parts = stroke(pen).of_polyline(&places, closed, window);
     let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
 }
 
 fn polyline(units: &[Units], closed: bool) -> Outline {
@@ -279,7 +279,7 @@ fn dashed_pixels(pieces: &[Piece], pen: Pen, pattern: &Pattern, window: Rect) ->
     let stroke = stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
     let parts = stroke.of_path(Path::new(&path), window);
     let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, window, &mut table, emit).expect("enough slots"))
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
 }
 
 fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {

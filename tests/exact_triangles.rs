@@ -145,7 +145,7 @@ fn tiles_of_every_size_show_the_same_triangle() {
     for _ in 0..200 {
         let units = [(); 3].map(|()| (rng.int(-9_000, 16_000), rng.int(-9_000, 14_000)));
         let mut wanted = Hits::new(whole);
-        wanted.fill_triangle(corners(units), BinaryColor::On);
+        wanted.fill_triangle_fx(corners(units), BinaryColor::On);
         let wanted = wanted.runs();
         assert_runs(whole, &wanted, &twins::triangle(units, whole), || format!("{units:?}"));
         for size in TILE_SIZES {

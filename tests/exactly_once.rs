@@ -44,7 +44,7 @@ const FILLERS: [(&str, Filler); 3] = [
         let outline = vertices(&units);
         let mut table = [EdgeSlot::EMPTY; 3];
         collect(window, |emit| {
-            polygon::fill([&outline[..]], FillRule::EvenOdd, window, &mut table, emit).expect("three slots");
+            polygon::fill([&outline[..]], FillRule::EvenOdd, &mut table, window, emit).expect("three slots");
         })
     }),
 ];
@@ -258,7 +258,7 @@ fn polygons_along_a_common_border() {
             let outline = vertices(outline);
             let mut table = [EdgeSlot::EMPTY; 20];
             collect(WINDOW, |emit| {
-                polygon::fill([&outline[..]], FillRule::EvenOdd, WINDOW, &mut table, emit).expect("enough slots");
+                polygon::fill([&outline[..]], FillRule::EvenOdd, &mut table, WINDOW, emit).expect("enough slots");
             })
         };
         let mut counts = support::hits::Hits::new(WINDOW);

@@ -121,16 +121,16 @@ fn triangles<C: Ink>(surface: &mut impl Surface<Color = C>) {
     let rim = [(30, 2), (45, 3), (58, 14), (62, 30), (55, 47), (38, 61), (20, 58), (6, 47), (1, 28), (9, 9)]
         .map(|(x, y)| PointFx::px(x, y));
     for (i, color) in (0..rim.len()).zip([GREEN, YELLOW, RED, GREY].into_iter().cycle()) {
-        surface.fill_triangle([centre, rim[i], rim[(i + 1) % rim.len()]], C::ega(color));
+        surface.fill_triangle_fx([centre, rim[i], rim[(i + 1) % rim.len()]], C::ega(color));
     }
     for i in 0..8 {
         // Thinner from left to right: 3 pixels, then 3/2, ... down to 3/128.
         let (x, w) = (66 * 256 + 960 * i, 768 >> i);
         let corners = [(x, 512), (x + w, 512), (x + w + 300, 30 * 256)].map(|(x, y)| PointFx::from_bits(x, y));
-        surface.fill_triangle(corners, C::ega(GREEN));
+        surface.fill_triangle_fx(corners, C::ega(GREEN));
     }
     let huge = [PointFx::px(66, 8_000_000), PointFx::px(80, 34), PointFx::px(8_000_000, 8_000_000)];
-    surface.fill_triangle(huge, C::ega(RED));
+    surface.fill_triangle_fx(huge, C::ega(RED));
 }
 
 /// The same star by both rules, a contour with two holes, and a comb.
@@ -141,17 +141,17 @@ fn polygons<C: Ink>(surface: &mut impl Surface<Color = C>) {
         |x: i32| [(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)].map(|(dx, dy)| PointFx::px(x + dx, 22 + dy));
     let stars = [(22, FillRule::EvenOdd, GREEN), (70, FillRule::NonZero, YELLOW)];
     for (x, rule, color) in stars {
-        surface.fill_polygon(&star(x), rule, &mut table, C::ega(color)).expect("eight edges are enough");
+        surface.fill_polygon_fx(&star(x), rule, &mut table, C::ega(color)).expect("eight edges are enough");
     }
     let block = |x0, y0, x1, y1| [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| PointFx::px(x, y));
     let mut holes = [block(4, 42, 40, 61), block(8, 45, 20, 58), block(24, 45, 36, 58)];
     holes[1..].iter_mut().for_each(|hole| hole.reverse());
-    surface.fill_contours(&holes, FillRule::NonZero, &mut table, C::ega(RED)).expect("eight edges are enough");
+    surface.fill_contours_fx(&holes, FillRule::NonZero, &mut table, C::ega(RED)).expect("eight edges are enough");
     let comb: Vec<_> =
         (0..12).map(|i| PointFx::from_bits((46 + 4 * i) * 256, (44 + 16 * (i % 2)) * 256 + 64 * i)).collect();
     let closed = comb.iter().copied().chain([PointFx::px(92, 42), PointFx::px(46, 42)]).collect::<Vec<_>>();
     surface
-        .fill_polygon(&closed, FillRule::EvenOdd, &mut [EdgeSlot::EMPTY; 14], C::ega(GREY))
+        .fill_polygon_fx(&closed, FillRule::EvenOdd, &mut [EdgeSlot::EMPTY; 14], C::ega(GREY))
         .expect("one slot a side");
 }
 
@@ -170,47 +170,54 @@ fn paths<C: Ink>(surface: &mut impl Surface<Color = C>) {
         PathSegment::QuadraticTo(p(32, 50), p(40, 26)),
         PathSegment::Close,
     ];
-    surface.fill_path(Path::new(&heart), FillRule::EvenOdd, &mut table, C::ega(RED)).expect("enough slots");
+    surface.fill_path_fx(Path::new(&heart), FillRule::EvenOdd, &mut table, C::ega(RED)).expect("enough slots");
     // A loop, a cusp, and a curve whose control points are a million pixels away.
-    surface.draw_cubic([p(64, 50), p(150, 2), p(40, 2), p(118, 50)], C::ega(YELLOW));
-    surface.draw_cubic([p(124, 4), p(190, 50), p(124, 50), p(188, 4)], C::ega(GREEN));
-    surface.draw_quadratic([p(0, 60), p(96, 20), p(191, 60)], C::ega(GREY));
+    surface.draw_cubic_fx([p(64, 50), p(150, 2), p(40, 2), p(118, 50)], C::ega(YELLOW));
+    surface.draw_cubic_fx([p(124, 4), p(190, 50), p(124, 50), p(188, 4)], C::ega(GREEN));
+    surface.draw_quadratic_fx([p(0, 60), p(96, 20), p(191, 60)], C::ega(GREY));
     let far = 1 << 30;
-    surface
-        .draw_cubic([p(70, 0), PointFx::from_bits(-far, far), PointFx::from_bits(far, far), p(120, 0)], C::ega(GREY));
+    surface.draw_cubic_fx(
+        [p(70, 0), PointFx::from_bits(-far, far), PointFx::from_bits(far, far), p(120, 0)],
+        C::ega(GREY),
+    );
     for (i, (cap, join)) in
         [(Cap::Butt, Join::Miter), (Cap::Square, Join::Bevel), (Cap::Round, Join::Round)].into_iter().enumerate()
     {
         let x = 44 * i32::try_from(i).expect("three");
         let stroke = Stroke::px(5).with_cap(cap).with_join(join);
         let zigzag = [p(x + 8, 116), p(x + 18, 76), p(x + 26, 116), p(x + 38, 90)];
-        surface.stroke_polyline(&zigzag, false, &stroke, &mut table, C::ega(GREEN)).expect("enough slots");
-        surface.draw_path(Path::new(&[PathSegment::MoveTo(zigzag[0]), PathSegment::LineTo(zigzag[1])]), C::ega(GROUND));
+        surface.stroke_polyline_fx(&zigzag, false, &stroke, &mut table, C::ega(GREEN)).expect("enough slots");
+        surface
+            .draw_path_fx(Path::new(&[PathSegment::MoveTo(zigzag[0]), PathSegment::LineTo(zigzag[1])]), C::ega(GROUND));
     }
     let wave = [PathSegment::MoveTo(p(134, 70)), PathSegment::CubicTo(p(220, 60), p(110, 130), p(188, 120))];
     let lengths = [6, 4].map(I24F8::from_num);
     let dashes = Stroke::px(3).with_cap(Cap::Round).dashed(&lengths, I24F8::ZERO);
-    surface.stroke_path(Path::new(&wave), &dashes, &mut table, C::ega(YELLOW)).expect("enough slots");
+    surface.stroke_path_fx(Path::new(&wave), &dashes, &mut table, C::ega(YELLOW)).expect("enough slots");
     let ring = [p(140, 100), p(156, 92), p(164, 112), p(146, 120)];
-    surface.stroke_polyline(&ring, true, &Stroke::px(1), &mut table, C::ega(RED)).expect("enough slots");
+    surface.stroke_polyline_fx(&ring, true, &Stroke::px(1), &mut table, C::ega(RED)).expect("enough slots");
 }
 
 /// Rectangles of every width, one inside the other, at sub-pixel places and across the sides of the screen; points.
 fn rectangles<C: Ink>(surface: &mut impl Surface<Color = C>) {
     surface.fill_window(C::ega(GROUND));
     for (i, color) in (0..7).zip([GREY, GROUND, GREEN, GROUND, YELLOW, GROUND, RED]) {
-        surface.fill_rectangle(PointFx::px(3 + 3 * i, 3 + 3 * i), PointFx::px(47 - 3 * i, 45 - 3 * i), C::ega(color));
+        surface.fill_rectangle_fx(
+            PointFx::px(3 + 3 * i, 3 + 3 * i),
+            PointFx::px(47 - 3 * i, 45 - 3 * i),
+            C::ega(color),
+        );
     }
     let mut x = 52;
     for width in 1..9 {
-        surface.fill_rectangle(PointFx::px(x, 3), PointFx::px(x + width, 3 + 3 * width), C::ega(GREEN));
+        surface.fill_rectangle_fx(PointFx::px(x, 3), PointFx::px(x + width, 3 + 3 * width), C::ega(GREEN));
         x += width;
     }
     for i in 0..8 {
         // Centres are at 128: from 0 to 224 the first column comes and goes.
         let (x, y) = ((52 + 5 * i) * 256 + 32 * i, 34 * 256);
-        surface.fill_rectangle(PointFx::from_bits(x, y), PointFx::from_bits(x + 640, y + 2560), C::ega(YELLOW));
-        surface.draw_point(PointFx::from_bits(x, y + 3200), C::ega(RED));
+        surface.fill_rectangle_fx(PointFx::from_bits(x, y), PointFx::from_bits(x + 640, y + 2560), C::ega(YELLOW));
+        surface.draw_point_fx(PointFx::from_bits(x, y + 3200), C::ega(RED));
     }
     surface.fill_area(Rect::new(i32::MIN, 56, 7, i32::MAX), C::ega(RED));
     surface.fill_area(Rect::new(90, 60, i32::MAX, 99), C::ega(GREY));
@@ -221,32 +228,36 @@ fn rounds<C: Ink>(surface: &mut impl Surface<Color = C>) {
     surface.fill_window(C::ega(GROUND));
     let mut x = 1;
     for size in 1..9 {
-        surface.fill_ellipse(Ellipse::in_box(Rect::new(x, 1, x + size, 1 + size)), C::ega(GREEN));
+        surface.fill_ellipse_fx(Ellipse::in_box(Rect::new(x, 1, x + size, 1 + size)), C::ega(GREEN));
         surface.draw_ellipse(Rect::new(x, 11, x + size, 11 + size), C::ega(YELLOW));
-        surface.draw_round_point(PointFx::from_bits(x * 256 + 64, 23 * 256), I24F8::from_bits(size * 128), C::ega(RED));
+        surface.fill_round_point_fx(
+            PointFx::from_bits(x * 256 + 64, 23 * 256),
+            I24F8::from_bits(size * 128),
+            C::ega(RED),
+        );
         x += size + 1;
     }
     surface.draw_ellipse(Rect::new(1, 27, 42, 30), C::ega(YELLOW));
     surface.draw_ellipse(Rect::new(46, 1, 50, 40), C::ega(YELLOW));
-    surface.fill_enclosed(Rect::new(1, 32, 42, 44), C::ega(GREY));
+    surface.fill_outlined_ellipse(Rect::new(1, 32, 42, 44), C::ega(GREY));
     surface.draw_ellipse(Rect::new(1, 32, 42, 44), C::ega(GREEN));
     // The rim of a circle of two million pixels.
     let far = Ellipse::circle(PointFx::px(1_500_000, 1_500_040), I24F8::from_bits(543_038_639));
-    surface.fill_ellipse(far, C::ega(RED));
+    surface.fill_ellipse_fx(far, C::ega(RED));
     let angles = [0, 50, 110, 200, 320, 360].map(Angle::degrees);
     for (pair, color) in angles.windows(2).zip([GREEN, YELLOW, RED, GREY, GREEN]) {
         let sector = Sector::new(pair[0], pair[1]);
         let centre = PointFx::px(71, 18);
         let (outer, inner) =
             (Ellipse::circle(centre, I24F8::from_num(16)), Ellipse::circle(centre, I24F8::from_num(8)));
-        surface.fill_ring_sector(outer, inner, sector, C::ega(color));
-        surface.fill_sector(Ellipse::circle(centre, I24F8::from_num(6)), sector, C::ega(color));
+        surface.fill_ring_sector_fx(outer, inner, sector, C::ega(color));
+        surface.fill_sector_fx(Ellipse::circle(centre, I24F8::from_num(6)), sector, C::ega(color));
         surface.draw_arc(Rect::new(54, 1, 89, 36), sector, C::ega(color));
     }
     let radii = Radii { top_left: 12, top_right: 3, bottom_right: 8, bottom_left: 0 };
     surface.fill_rounded(Rect::new(3, 47, 40, 62), radii, C::ega(GREEN));
     surface.draw_rounded(Rect::new(1, 45, 42, 64), radii, C::ega(YELLOW));
-    surface.draw_square_point(PointFx::from_bits(92 * 256, 3 * 256), I24F8::from_bits(900), C::ega(GREY));
+    surface.fill_square_point_fx(PointFx::from_bits(92 * 256, 3 * 256), I24F8::from_bits(900), C::ega(GREY));
 }
 
 /// Regions flooded by colour and up to a boundary, through corners and with tables that are too short.
@@ -256,20 +267,20 @@ fn floods<C: Ink>(frame: &mut Framebuffer<'_, C>) {
         frame.draw_ellipse(Rect::new(2 + 4 * i, 2 + 3 * i, 60 - 4 * i, 61 - 3 * i), C::ega(YELLOW));
     }
     frame.draw_line(Point::new(0, 31), Point::new(62, 35), C::ega(YELLOW));
-    frame.flood_fill(Point::new(30, 5), Connectivity::Sides, C::ega(GREEN), &mut [FloodSlot::EMPTY]);
+    frame.flood_fill(Point::new(30, 5), Connectivity::Sides, &mut [FloodSlot::EMPTY], C::ega(GREEN));
     frame.flood_fill_to(
         Point::new(30, 28),
         C::ega(YELLOW),
         Connectivity::Sides,
-        C::ega(RED),
         &mut [FloodSlot::EMPTY; 4],
+        C::ega(RED),
     );
-    frame.flood_fill(Point::new(0, 63), Connectivity::Sides, C::ega(GREY), &mut []);
+    frame.flood_fill(Point::new(0, 63), Connectivity::Sides, &mut [], C::ega(GREY));
     for i in 0..30 {
         frame.set(Point::new(64 + i, 2 + (i * 7) % 28), C::ega(YELLOW));
         frame.set(Point::new(64 + i, 33 + i % 2), C::ega(YELLOW));
     }
-    frame.flood_fill(Point::new(64, 33), Connectivity::Corners, C::ega(RED), &mut [FloodSlot::EMPTY; 2]);
+    frame.flood_fill(Point::new(64, 33), Connectivity::Corners, &mut [FloodSlot::EMPTY; 2], C::ega(RED));
 }
 
 /// Text of embedded-graphics, clear and on a background, across the sides of the screen too.
@@ -298,11 +309,11 @@ fn blits<C: Ink>(frame: &mut Framebuffer<'_, C>) {
     let mut sprite_ram = [0; 13 * 11 * 4];
     let mut sprite = Framebuffer::<C>::new(&mut sprite_ram, 13, 11).expect("four bytes a pixel are enough");
     sprite.clear(C::ega(GROUND));
-    sprite.fill_triangle([PointFx::px(1, 10), PointFx::px(6, 0), PointFx::px(12, 10)], C::ega(YELLOW));
+    sprite.fill_triangle_fx([PointFx::px(1, 10), PointFx::px(6, 0), PointFx::px(12, 10)], C::ega(YELLOW));
     sprite.draw_line(Point::new(0, 0), Point::new(12, 10), C::ega(GROUND));
     let sprite: Bitmap<'_, C> = sprite.as_bitmap();
     for i in 0..7 {
-        frame.blit(Point::new(1 + 13 * i + i / 4, 2), &sprite.part(Rect::new(i, 0, 13, 11)));
+        frame.blit(Point::new(1 + 13 * i + i / 4, 2), &sprite.clipped(Rect::new(i, 0, 13, 11)));
         frame.blit_keyed(Point::new(1 + 13 * i + i / 2, 15), &sprite, C::ega(GROUND));
     }
     for (x, y) in [(-6, 30), (89, 30), (40, -7), (-7, 58), (88, 57)] {
@@ -332,7 +343,7 @@ fn triangulation<C: Ink>(surface: &mut impl Surface<Color = C>) {
         }
         let place = |i: u16| (all[usize::from(i)].0 + right, all[usize::from(i)].1);
         for (corners, color) in triangles.iter().zip([GREEN, YELLOW, RED, GREY].into_iter().cycle()) {
-            surface.fill_triangle(corners.map(place).map(|(x, y)| PointFx::px(x, y)), C::ega(color));
+            surface.fill_triangle_fx(corners.map(place).map(|(x, y)| PointFx::px(x, y)), C::ega(color));
         }
         for [a, b, c] in triangles.iter().map(|corners| corners.map(place).map(Point::from)) {
             surface.draw_polyline([a, b, c, a], C::ega(GROUND));

@@ -43,7 +43,7 @@ fn check_triangle(units: [Units; 3], window: Rect) -> Vec<Run> {
 fn fill_polygon(outline: &[Units], rule: FillRule, window: Rect) -> Vec<Run> {
     let outline = vertices(outline);
     let mut table = vec![EdgeSlot::EMPTY; outline.len()];
-    collect(window, |emit| polygon::fill([&outline[..]], rule, window, &mut table, emit).expect("a slot for each side"))
+    collect(window, |emit| polygon::fill([&outline[..]], rule, &mut table, window, emit).expect("a slot for each side"))
 }
 
 fn check_polygon(outline: &[Units], window: Rect) -> Vec<Run> {
@@ -436,17 +436,19 @@ fn a_drawing_cut_into_tiles_is_the_drawing() {
         let [a, b] = [(); 2].map(|()| Point::new(rng.int(-60, 90), rng.int(-60, 90)));
         let draw = |surface: &mut Hits, which: usize| match which {
             0 => surface.draw_line(a, b, BinaryColor::On),
-            1 => surface.fill_triangle(corners([units[0], units[1], units[2]]), BinaryColor::On),
+            1 => surface.fill_triangle_fx(corners([units[0], units[1], units[2]]), BinaryColor::On),
             2 => {
                 let mut table = [EdgeSlot::EMPTY; 7];
                 let outline = vertices(&units);
-                surface.fill_polygon(&outline, FillRule::EvenOdd, &mut table, BinaryColor::On).expect("enough slots");
+                surface
+                    .fill_polygon_fx(&outline, FillRule::EvenOdd, &mut table, BinaryColor::On)
+                    .expect("enough slots");
             }
             3 => {
                 let [a, b, _] = corners([units[0], units[1], units[2]]);
-                surface.fill_rectangle(a, b, BinaryColor::On);
+                surface.fill_rectangle_fx(a, b, BinaryColor::On);
             }
-            4 => surface.draw_point(corners([units[0]; 3])[0], BinaryColor::On),
+            4 => surface.draw_point_fx(corners([units[0]; 3])[0], BinaryColor::On),
             5 => surface.draw_rectangle(Rect::new(a.x, a.y, b.x, b.y), BinaryColor::On),
             _ => surface.fill_area(Rect::new(a.x, a.y, b.x, b.y), BinaryColor::On),
         };
@@ -533,7 +535,7 @@ fn a_full_edge_table_paints_nothing() {
     let outline: Vec<Units> = (0..40).map(|i| (i * 200, if i % 2 == 0 { 0 } else { 20 * PX })).collect();
     let mut hits = Hits::new(WINDOW);
     let mut table = [EdgeSlot::EMPTY; 39];
-    let result = hits.fill_polygon(&vertices(&outline), FillRule::EvenOdd, &mut table, BinaryColor::On);
+    let result = hits.fill_polygon_fx(&vertices(&outline), FillRule::EvenOdd, &mut table, BinaryColor::On);
     assert_eq!(result, Err(EdgeTableFull { capacity: 39, needed: 40, row: 0 }));
     assert!(hits.runs().is_empty(), "{}", picture(WINDOW, &hits.runs()));
 }
@@ -544,7 +546,7 @@ fn surfaces_of_extreme_sizes() {
     fn draw(surface: &mut impl Surface<Color = Gray8>) {
         let color = Gray8::new(7);
         surface.draw_line(Point::new(-9, -9), Point::new(i32::MAX, i32::MAX), color);
-        surface.fill_triangle([PointFx::px(-1, -1), PointFx::px(i32::MAX, -1), PointFx::px(-1, i32::MAX)], color);
+        surface.fill_triangle_fx([PointFx::px(-1, -1), PointFx::px(i32::MAX, -1), PointFx::px(-1, i32::MAX)], color);
         surface.fill_window(color);
     }
     for (width, height) in

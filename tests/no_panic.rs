@@ -268,7 +268,7 @@ fn polygons() {
         let mut table = vec![EdgeSlot::EMPTY; rng.index(14)];
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
         let window = small_window(&mut rng);
-        if let Err(error) = polygon::fill([first, second], rule, window, &mut table, look) {
+        if let Err(error) = polygon::fill([first, second], rule, &mut table, window, look) {
             black_box(format!("{error} {error:?}"));
         }
     }
@@ -301,15 +301,15 @@ fn paths_and_strokes() {
         let (path, window) = (Path::new(&segments), small_window(&mut rng));
         let mut table = vec![EdgeSlot::EMPTY; rng.index(40)];
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
-        black_box(polygon::fill(path.contours_in(window), rule, window, &mut table, look).is_ok());
+        black_box(polygon::fill(path.contours_in(window), rule, &mut table, window, look).is_ok());
         outline::draw(path, window, look);
         let stroke = wild_stroke(&mut rng);
-        black_box(polygon::fill(stroke.of_path(path, window), rule, window, &mut table, look).is_ok());
+        black_box(polygon::fill(stroke.of_path(path, window), rule, &mut table, window, look).is_ok());
         // Dashes measure the whole way: not often.
         if i % 100 == 0 {
             let lengths: Vec<I24F8> = (0..rng.index(5)).map(|_| I24F8::from_bits(wild(&mut rng))).collect();
             let dashed = stroke.dashed(&lengths, I24F8::from_bits(wild(&mut rng)));
-            black_box(polygon::fill(dashed.of_path(path, window), rule, window, &mut table, look).is_ok());
+            black_box(polygon::fill(dashed.of_path(path, window), rule, &mut table, window, look).is_ok());
         }
     }
 }
@@ -324,11 +324,11 @@ fn polygons_without_a_window() {
         let near = |n: i32, rng: &mut Rng| n.saturating_add(rng.int(-2_000, 2_000));
         let outline: Vec<PointFx> = (0..9).map(|_| PointFx::from_bits(near(x, &mut rng), near(y, &mut rng))).collect();
         let mut table = vec![EdgeSlot::EMPTY; rng.index(10)];
-        black_box(polygon::fill([&outline], FillRule::EvenOdd, everything, &mut table, look).is_ok());
+        black_box(polygon::fill([&outline], FillRule::EvenOdd, &mut table, everything, look).is_ok());
     }
     // Rows without end, and no slot at all.
     let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| PointFx::from_bits(x, y));
-    assert!(polygon::fill([&huge], FillRule::EvenOdd, everything, &mut [], look).is_err(), "no slots");
+    assert!(polygon::fill([&huge], FillRule::EvenOdd, &mut [], everything, look).is_err(), "no slots");
 }
 
 #[test]
@@ -405,32 +405,32 @@ fn framebuffer<F: PixelFormat>(seed: u64) {
 fn shapes<S: Surface>(surface: &mut S, rng: &mut Rng, color: S::Color) {
     surface.fill_window(color);
     surface.fill_area(wild_rect(rng), color);
-    surface.draw_point(wild_vertex(rng), color);
+    surface.draw_point_fx(wild_vertex(rng), color);
     surface.draw_line(wild_point(rng), wild_point(rng), color);
     surface.draw_polygon((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
     surface.draw_rectangle(wild_rect(rng), color);
     surface.draw_polyline((0..4).map(|_| wild_point(rng)).collect::<Vec<_>>(), color);
-    surface.fill_rectangle(wild_vertex(rng), wild_vertex(rng), color);
-    surface.fill_triangle([wild_vertex(rng), wild_vertex(rng), wild_vertex(rng)], color);
-    surface.fill_ellipse(wild_ellipse(rng), color);
+    surface.fill_rectangle_fx(wild_vertex(rng), wild_vertex(rng), color);
+    surface.fill_triangle_fx([wild_vertex(rng), wild_vertex(rng), wild_vertex(rng)], color);
+    surface.fill_ellipse_fx(wild_ellipse(rng), color);
     surface.draw_ellipse(wild_rect(rng), color);
-    surface.fill_enclosed(wild_rect(rng), color);
-    surface.draw_round_point(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
-    surface.draw_square_point(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
+    surface.fill_outlined_ellipse(wild_rect(rng), color);
+    surface.fill_round_point_fx(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
+    surface.fill_square_point_fx(wild_vertex(rng), I24F8::from_bits(wild(rng)), color);
     surface.fill_rounded(wild_rect(rng), wild_radii(rng), color);
     surface.draw_rounded(wild_rect(rng), wild_radii(rng), color);
     surface.draw_arc(wild_rect(rng), wild_sector(rng), color);
-    surface.fill_sector(wild_ellipse(rng), wild_sector(rng), color);
-    surface.fill_ring(wild_ellipse(rng), wild_ellipse(rng), color);
-    surface.fill_ring_sector(wild_ellipse(rng), wild_ellipse(rng), wild_sector(rng), color);
+    surface.fill_sector_fx(wild_ellipse(rng), wild_sector(rng), color);
+    surface.fill_ring_fx(wild_ellipse(rng), wild_ellipse(rng), color);
+    surface.fill_ring_sector_fx(wild_ellipse(rng), wild_ellipse(rng), wild_sector(rng), color);
     let outline: Vec<PointFx> = (0..rng.index(9)).map(|_| wild_vertex(rng)).collect();
     let mut table = vec![EdgeSlot::EMPTY; rng.index(9)];
-    black_box(surface.fill_polygon(&outline, FillRule::NonZero, &mut table, color).is_ok());
-    black_box(surface.fill_contours([&outline, &outline], FillRule::EvenOdd, &mut table, color).is_ok());
+    black_box(surface.fill_polygon_fx(&outline, FillRule::NonZero, &mut table, color).is_ok());
+    black_box(surface.fill_contours_fx([&outline, &outline], FillRule::EvenOdd, &mut table, color).is_ok());
     if rng.one_in(40) {
         let segments = wild_path(rng);
-        black_box(surface.fill_path(Path::new(&segments), FillRule::NonZero, &mut table, color).is_ok());
-        surface.draw_path(Path::new(&segments), color);
+        black_box(surface.fill_path_fx(Path::new(&segments), FillRule::NonZero, &mut table, color).is_ok());
+        surface.draw_path_fx(Path::new(&segments), color);
     }
 }
 
@@ -441,13 +441,13 @@ fn reads<F: PixelFormat>(frame: &Framebuffer<'_, F>, rng: &mut Rng) {
     black_box(frame.bytes(area).map(<[u8]>::len).sum::<usize>());
     black_box(frame.colors(area).count());
     black_box(frame.row_bytes(wild_u16(rng)..wild_u16(rng)).len());
-    let bitmap = frame.as_bitmap().part(wild_rect(rng));
+    let bitmap = frame.as_bitmap().clipped(wild_rect(rng));
     black_box((bitmap.window(), bitmap.size(), bitmap.get(wild_point(rng)).is_some()));
     black_box(bitmap.bytes(wild_rect(rng)).count());
 }
 
 fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>, rng: &mut Rng, key: F::Color) {
-    let part = source.part(wild_rect(rng));
+    let part = source.clipped(wild_rect(rng));
     for source in [source, &part] {
         frame.blit(wild_point(rng), source);
         frame.blit_keyed(wild_point(rng), source, key);
@@ -455,14 +455,14 @@ fn copies<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, source: &Bitmap<'_, F>
     let bytes: [u8; 27] = std::array::from_fn(|_| rng.bits() as u8);
     if let Ok(mask) = Bitmap::<Index1>::with_stride(&bytes, 20, 9, 3) {
         let off = rng.one_in(2).then_some(key);
-        frame.blit_mask(wild_point(rng), &mask.part(wild_rect(rng)), key, off);
+        frame.blit_mask(wild_point(rng), &mask.clipped(wild_rect(rng)), key, off);
     }
     frame.move_area(wild_rect(rng), wild_point(rng));
     frame.move_area_keyed(wild_rect(rng), wild_point(rng), key);
     frame.set(wild_point(rng), key);
     let mut table = vec![FloodSlot::EMPTY; rng.index(4)];
-    frame.flood_fill(Point::new(rng.int(-1, 17), rng.int(-1, 17)), Connectivity::Corners, key, &mut table);
-    frame.flood_fill_to(wild_point(rng), key, Connectivity::Sides, key, &mut table);
+    frame.flood_fill(Point::new(rng.int(-1, 17), rng.int(-1, 17)), Connectivity::Corners, &mut table, key);
+    frame.flood_fill_to(wild_point(rng), key, Connectivity::Sides, &mut table, key);
     frame.clear(key);
 }
 

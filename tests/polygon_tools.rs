@@ -136,7 +136,7 @@ fn places_in_polygons() {
             // Centres of pixels: what the filler paints.
             let mut table = vec![EdgeSlot::EMPTY; n];
             let painted = collect(window, |emit| {
-                polygon::fill(&places, rule, window, &mut table, emit).expect("a slot for every side");
+                polygon::fill(&places, rule, &mut table, window, emit).expect("a slot for every side");
             });
             let found = runs_where(window, |x, y| contains(&places, rule, PointFx::centre_of(Point::new(x, y))));
             assert_runs(window, &found, &painted, || format!("{rule:?} {contours:?}"));

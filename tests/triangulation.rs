@@ -367,7 +367,7 @@ fn the_whole_world() {
     let mut table = vec![EdgeSlot::EMPTY; places.len()];
     let wanted = collect(window, |emit| {
         let contours = rings.iter().map(|ring| vertices(ring)).collect::<Vec<_>>();
-        polygon::fill(&contours, FillRule::EvenOdd, window, &mut table, emit).expect("a slot for every side");
+        polygon::fill(&contours, FillRule::EvenOdd, &mut table, window, emit).expect("a slot for every side");
     });
     for refined in [false, true] {
         if refined {

@@ -41,7 +41,7 @@ impl Tally {
 
     fn add(&mut self, rings: &[&[PointFx]], rule: FillRule) {
         let mut table = vec![EdgeSlot::EMPTY; ALL_EDGES];
-        self.fill_contours(rings.iter().copied(), rule, &mut table, BinaryColor::On)
+        self.fill_contours_fx(rings.iter().copied(), rule, &mut table, BinaryColor::On)
             .expect("the table is large enough");
     }
 
@@ -188,7 +188,7 @@ fn a_country_that_fails_paints_nothing() {
         for edges in 0..40 {
             let mut tally = Tally::new(&world);
             let mut table = vec![EdgeSlot::EMPTY; edges];
-            if tally.fill_contours(country, FillRule::EvenOdd, &mut table, BinaryColor::On).is_ok() {
+            if tally.fill_contours_fx(country, FillRule::EvenOdd, &mut table, BinaryColor::On).is_ok() {
                 break;
             }
             assert!(tally.times.iter().all(|&times| times == 0), "{edges} edges for the country at {lon},{lat}");

@@ -76,9 +76,9 @@ pub fn pour<F: PixelFormat>(
     ink: impl Fn(Ink) -> F::Color,
 ) -> Result<(), Error> {
     let (x, y) = (4 * TILE.0, 3 * TILE.1);
-    page.flood_fill(Point::new(x + 32, y + 4), Connectivity::Sides, ink(4), table);
+    page.flood_fill(Point::new(x + 32, y + 4), Connectivity::Sides, table, ink(4));
     // The pixels of an outline are connected by their corners.
-    page.flood_fill(Point::new(x + 32, y + 2), Connectivity::Corners, ink(1), table);
+    page.flood_fill(Point::new(x + 32, y + 2), Connectivity::Corners, table, ink(1));
     let arrow = Bitmap::<Index1>::new(&[0x08, 0x0c, 0xfe, 0xff, 0xfe, 0x0c, 0x08], 8, 7)?;
     page.blit_mask(Point::new(x + 26, y + 27), &arrow, ink(2), None);
     Ok(())
@@ -168,13 +168,13 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let rim = rim(4 * 27);
         for i in 0..16 {
             let at = |i: usize| (128 + rim[i % 16].0, 120 + rim[i % 16].1);
-            self.page.fill_triangle(self.places([(129, 121), at(i), at(i + 1)]), self.ink(i as i32));
+            self.page.fill_triangle_fx(self.places([(129, 121), at(i), at(i + 1)]), self.ink(i as i32));
         }
     }
 
     fn rectangles(&mut self) {
         let [a, b] = self.places([(13, 14), (121, 101)]);
-        self.page.fill_rectangle(a, b, self.ink(0));
+        self.page.fill_rectangle_fx(a, b, self.ink(0));
         self.page.fill_rounded(self.area(24, 8, 60, 34), Radii::all(7), self.ink(3));
         let radii = Radii { top_left: 0, top_right: 12, bottom_right: 4, bottom_left: 18 };
         self.page.draw_rounded(self.area(5, 20, 50, 56), radii, self.ink(5));
@@ -184,7 +184,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     fn circles(&mut self) {
         for (i, size) in [52, 43, 34, 25, 16, 7].into_iter().enumerate() {
             let area = self.area(32 - size / 2, 30 - size / 2, 32 - size / 2 + size, 30 - size / 2 + size);
-            self.page.fill_enclosed(area, self.ink(i as i32 + 4));
+            self.page.fill_outlined_ellipse(area, self.ink(i as i32 + 4));
             self.page.draw_ellipse(area, self.ink(i as i32));
         }
     }
@@ -195,7 +195,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             [(60, 50, 12, 10), (190, 60, 14, 4), (80, 170, 3, 15), (180, 180, 16, 10)].into_iter().enumerate()
         {
             let centre = self.place((x, y));
-            self.page.fill_ellipse(Ellipse::new(centre, radius(rx), radius(ry)), self.ink(i as i32));
+            self.page.fill_ellipse_fx(Ellipse::new(centre, radius(rx), radius(ry)), self.ink(i as i32));
         }
         self.page.draw_ellipse(self.area(2, 2, 62, 58), self.ink(6));
         self.page.draw_ellipse(self.area(2, 28, 62, 31), self.ink(7));
@@ -213,7 +213,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let pie = Ellipse::in_box(self.area(4, 2, 60, 58));
         for (i, ends) in [0, 75, 120, 200, 230, 310, 360].windows(2).enumerate() {
             let sector = Sector::new(Angle::degrees(ends[0]), Angle::degrees(ends[1]));
-            self.page.fill_sector(pie, sector, self.ink(i as i32));
+            self.page.fill_sector_fx(pie, sector, self.ink(i as i32));
         }
     }
 
@@ -222,9 +222,9 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let (outer, middle, inner) = (ellipse(0), ellipse(9), ellipse(18));
         for i in 0..8 {
             let sector = Sector::new(Angle::turns(i, 8), Angle::turns(i + 1, 8));
-            self.page.fill_ring_sector(outer, middle, sector, self.ink(i as i32));
+            self.page.fill_ring_sector_fx(outer, middle, sector, self.ink(i as i32));
         }
-        self.page.fill_ring(middle, inner, self.ink(2));
+        self.page.fill_ring_fx(middle, inner, self.ink(2));
     }
 
     /// Of 1 to 8 pixels, in steps of a quarter.
@@ -233,8 +233,8 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let size = I24F8::from_bits(256 + 64 * i);
             let (round, square) =
                 (self.place((16 + i % 7 * 34, 16 + i / 7 * 30)), self.place((16 + i % 7 * 34, 136 + i / 7 * 30)));
-            self.page.draw_round_point(round, size, self.ink(i));
-            self.page.draw_square_point(square, size, self.ink(i + 3));
+            self.page.fill_round_point_fx(round, size, self.ink(i));
+            self.page.fill_square_point_fx(square, size, self.ink(i + 3));
         }
     }
 
@@ -245,7 +245,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let (x, y) = rim[i * 5 % 16];
             self.place((128 + x, 120 + y))
         });
-        self.page.fill_polygon(&outline, rule, self.table, self.ink(rule as i32 + 1))
+        self.page.fill_polygon_fx(&outline, rule, self.table, self.ink(rule as i32 + 1))
     }
 
     fn holes(&mut self) -> Result<(), EdgeTableFull> {
@@ -254,13 +254,13 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let other = self.places([(140, 60), (200, 90), (150, 140)]);
         let contours: [&[PointFx]; 3] = [&outer, &window, &other];
         let color = self.ink(5);
-        self.page.fill_contours(contours.iter().map(|c| c.iter()), FillRule::EvenOdd, self.table, color)
+        self.page.fill_contours_fx(contours.iter().map(|c| c.iter()), FillRule::EvenOdd, self.table, color)
     }
 
     fn quadratics(&mut self) {
         for i in 0..7 {
             let [a, c, b] = self.places([(16 + 10 * i, 228), (128, -140 + 60 * i), (240 - 10 * i, 228)]);
-            self.page.draw_quadratic([a, c, b], self.ink(i));
+            self.page.draw_quadratic_fx([a, c, b], self.ink(i));
         }
     }
 
@@ -272,7 +272,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             [(60, 230), (300, 100), (-50, 100), (190, 230)],
         ];
         for (i, curve) in curves.into_iter().enumerate() {
-            self.page.draw_cubic(self.places(curve), self.ink(2 * i as i32));
+            self.page.draw_cubic_fx(self.places(curve), self.ink(2 * i as i32));
         }
     }
 
@@ -284,8 +284,8 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             CubicTo(v(216, -20), v(296, 110), v(128, 220)),
             Close,
         ]);
-        self.page.fill_path(Path::new(&heart), FillRule::NonZero, self.table, self.ink(0))?;
-        self.page.draw_path(Path::new(&heart), self.ink(7));
+        self.page.fill_path_fx(Path::new(&heart), FillRule::NonZero, self.table, self.ink(0))?;
+        self.page.draw_path_fx(Path::new(&heart), self.ink(7));
         Ok(())
     }
 
@@ -295,7 +295,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let cap = [Cap::Butt, Cap::Square, Cap::Round][i as usize % 3];
             let stroke = Stroke::new(I24F8::from_bits(256 + 320 * i)).with_cap(cap);
             let ends = self.places([(24, 20 + 36 * i), (228, 8 + 40 * i)]);
-            self.page.stroke_line(ends, &stroke, self.table, self.ink(i))?;
+            self.page.stroke_line_fx(ends, &stroke, self.table, self.ink(i))?;
         }
         Ok(())
     }
@@ -305,7 +305,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let y = 64 * i as i32;
             let zigzag = self.places([(20, 80 + y), (90, 30 + y), (120, 90 + y), (232, 40 + y)]);
             let stroke = Stroke::px(6).with_join(join);
-            self.page.stroke_polyline(&zigzag, false, &stroke, self.table, self.ink(2 * i as i32))?;
+            self.page.stroke_polyline_fx(&zigzag, false, &stroke, self.table, self.ink(2 * i as i32))?;
         }
         Ok(())
     }
@@ -315,10 +315,10 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
         let pattern = [9, 5, 2, 5].map(|n| I24F8::from_bits(n << 8));
         let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, I24F8::ZERO);
-        self.page.stroke_path(Path::new(&wave), &stroke, self.table, self.ink(4))?;
+        self.page.stroke_path_fx(Path::new(&wave), &stroke, self.table, self.ink(4))?;
         let [a, b] = self.places([(16, 224), (240, 224)]);
         let pattern = [4, 4].map(|n| I24F8::from_bits(n << 8));
-        self.page.stroke_line([a, b], &Stroke::px(2).dashed(&pattern, I24F8::ZERO), self.table, self.ink(1))
+        self.page.stroke_line_fx([a, b], &Stroke::px(2).dashed(&pattern, I24F8::ZERO), self.table, self.ink(1))
     }
 
     /// A ring cut into triangles, which are made as regular as they can be.
@@ -331,7 +331,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         delaunay::refine(&vertices, &mut triangles[..count], &mut [[0; 3]; 24])?;
         for (i, triangle) in triangles[..count].iter().enumerate() {
             let corners = triangle.map(|n| vertices[usize::from(n)]);
-            self.page.fill_triangle(corners, self.ink(i as i32));
+            self.page.fill_triangle_fx(corners, self.ink(i as i32));
         }
         Ok(())
     }

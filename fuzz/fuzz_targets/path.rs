@@ -7,7 +7,7 @@ mod support;
 
 use embedded_raster::{
     raster::{outline, polygon},
-    Cap, EdgeSlot, FillRule, Join, Path, Rect, Stroke,
+    Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, Rect, Stroke,
 };
 use fixed::types::I24F8;
 use input::Input;
@@ -98,7 +98,7 @@ where
 {
     let count = contours.clone().into_iter().map(|c| c.into_iter().count()).sum();
     let mut table = vec![EdgeSlot::EMPTY; count];
-    collect(window, |emit| polygon::fill(contours, rule, window, &mut table, emit).expect("enough slots"))
+    collect(window, |emit| polygon::fill(contours, rule, &mut table, window, emit).expect("enough slots"))
 }
 
 fn fill(pieces: &[Piece], choice: u8, window: Rect) {
@@ -112,7 +112,7 @@ fn fill(pieces: &[Piece], choice: u8, window: Rect) {
 fn thin(pieces: &[Piece], has_twin: bool, window: Rect) {
     let path = segments(pieces);
     let mut painted = std::collections::HashSet::new();
-    outline::draw(Path::new(&path), window, |s| {
+    outline::draw(Path::new(&path), window, |s: ClippedSpan| {
         assert!(s.x0() < s.x1() && window.contains(s.x0(), s.y()) && window.contains(s.x1() - 1, s.y()), "{s:?}");
         painted.extend((s.x0()..s.x1()).map(|x| (x, s.y())));
     });

@@ -27,7 +27,7 @@ fuzz_target!(|data: &[u8]| {
     let mut table = vec![EdgeSlot::EMPTY; capacity];
     let mut result = Ok(());
     let runs = collect(window, |emit| {
-        result = polygon::fill(outlines.iter(), rule, window, &mut table, emit);
+        result = polygon::fill(outlines.iter(), rule, &mut table, window, emit);
     });
     // A window without columns has no rows to paint either.
     let rows = if window.is_empty() { 0..0 } else { window.y0..window.y1 };

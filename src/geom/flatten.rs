@@ -45,7 +45,7 @@ use crate::{
         round::difference,
         wide::times,
     },
-    target::COMPACT,
+    tune::COMPACT,
 };
 
 /// 4 D is `2^7` units.

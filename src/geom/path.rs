@@ -13,7 +13,7 @@
 //! [`flatten`](super::flatten).
 
 use super::{flatten::Contour, view::View, PointFx};
-use crate::rect::Rect;
+use crate::span::Rect;
 
 /// One step of a [`Path`].
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

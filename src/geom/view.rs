@@ -1,7 +1,7 @@
 //! [`View`]: a window as shapes see it.
 
 use super::{bits, PointFx};
-use crate::{num::cast::saturate, rect::Rect};
+use crate::{num::cast::saturate, span::Rect};
 
 /// What may be seen: places in 24.8 units, all four sides included.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

@@ -23,7 +23,7 @@ use crate::{
         cast::{saturate, signed_wide},
         round::div_rem_wide,
     },
-    rect::Rect,
+    span::Rect,
 };
 
 /// A map between a rectangle of a plane and one of the screen.

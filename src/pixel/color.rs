@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{
     BinaryColor, PixelColor, Rgb555, Rgb565, Rgb888, RgbColor,
 };
 
-use super::palette::{nearest, EGA_RGB};
+use super::levels::{nearest, rescale, EGA_RGB};
 
 macro_rules! index {
     ($name:ident, $raw:ident, $bits:literal, $colors:literal, $standard:literal) => {
@@ -181,15 +181,6 @@ macro_rules! rgb {
 
 rgb!(Rgb332, u8, 3 at 5, 3 at 2, 2 at 0);
 rgb!(Xrgb8888, u32, 8 at 16, 8 at 8, 8 at 0);
-
-/// `value / from_max` of `to_max`, to nearest.
-#[inline]
-pub(super) const fn rescale(value: u8, from_max: u8, to_max: u8) -> u8 {
-    let (value, from, to) = (value as u32, from_max as u32, to_max as u32);
-    // from_max is a non-zero constant wherever this is called; `max(1)` tells the compiler.
-    let from = if from == 0 { 1 } else { from };
-    crate::num::cast::low_u8((2 * value * to + from) / (2 * from))
-}
 
 /// Luma of ITU-R BT.601 in 0..=255, by the weights 77, 150 and 29 of 256.
 fn luma(c: Rgb888) -> u8 {

@@ -2,10 +2,15 @@
 
 use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
 
-use super::{color::rescale, PixelFormat, Rgb332};
+use super::{
+    color::Rgb332,
+    format::PixelFormat,
+    levels::{nearest, rescale, EGA_RGB},
+    rows,
+};
 use crate::{
     num::cast::{low_u16, low_u32, low_u8},
-    target::{keep_rolled, COMPACT},
+    tune::{keep_rolled, COMPACT},
 };
 
 /// A table of `N` colours that indices are shown through.
@@ -104,8 +109,8 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
             _ => {
                 let pixels = (indices.len() * 8 / I::BITS as usize).min(out.len() * 8 / O::BITS as usize);
                 for x in 0..pixels {
-                    let index = low_u8(super::get::<I>(indices, 0, x));
-                    super::set::<O>(out, 0, x, color(index));
+                    let index = low_u8(rows::get::<I>(indices, 0, x));
+                    rows::set::<O>(out, 0, x, color(index));
                 }
             }
         }
@@ -116,7 +121,7 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
 #[inline(always)]
 fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
     let per_byte = (8 / I::BITS) as usize;
-    let index = |byte: u8, i: usize| low_u8(super::packed::nth::<I>(byte, i));
+    let index = |byte: u8, i: usize| low_u8(rows::packed::nth::<I>(byte, i));
     // Plain indices: the counters of `enumerate` have overflow checks, and the set-up of `zip` divides.
     let put = |places: &mut [u8], byte: u8| {
         for i in 0..per_byte {
@@ -162,22 +167,6 @@ impl<C: RgbColor, const N: usize> Palette<C, N> {
     pub fn nearest(&self, color: C) -> u8 {
         nearest(self.colors.iter().copied(), color)
     }
-}
-
-/// The place of the nearest of at most 256 colours.
-pub(super) fn nearest<C: RgbColor>(colors: impl Iterator<Item = C>, wanted: C) -> u8 {
-    let square = |a: u8, b: u8| {
-        let d = u32::from(a.abs_diff(b));
-        d * d
-    };
-    let (mut best, mut least) = (0, u32::MAX);
-    for (i, c) in (0..=u8::MAX).zip(colors) {
-        let distance = square(c.r(), wanted.r()) + square(c.g(), wanted.g()) + square(c.b(), wanted.b());
-        if distance < least {
-            (best, least) = (i, distance);
-        }
-    }
-    best
 }
 
 impl<const N: usize> Palette<Rgb888, N> {
@@ -227,28 +216,6 @@ impl Palette<Rgb888, 216> {
         Self { colors }
     }
 }
-
-pub(super) const EGA_RGB: [Rgb888; 16] = {
-    let mut colors = [Rgb888::BLACK; 16];
-    let mut i = 0;
-    while i < 16 {
-        // Bits of an index: intensity, red, green, blue. Intensity adds a third to each channel.
-        let third = if i & 8 != 0 { 85 } else { 0 };
-        let r = if i & 4 != 0 { 170 + third } else { third };
-        // The one exception: dark yellow is shown as brown, with half its green.
-        let g = if i == 6 {
-            85
-        } else if i & 2 != 0 {
-            170 + third
-        } else {
-            third
-        };
-        let b = if i & 1 != 0 { 170 + third } else { third };
-        colors[i] = Rgb888::new(r, g, b);
-        i += 1;
-    }
-    colors
-};
 
 /// The sixteen colours of the IBM Enhanced Graphics Adapter (1984): black, blue, green, cyan, red, magenta, brown, light
 /// grey, and the bright ones.

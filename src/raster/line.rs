@@ -26,10 +26,33 @@ use crate::{
         cast::{low_u32, magnitude, signed, unsigned},
         round::{ceil_ratio, difference, div_rem_wide},
     },
-    rect::Rect,
-    span::Steps,
-    target::COMPACT,
+    span::{Rect, Sink, Steps},
+    tune::COMPACT,
 };
+
+/// Emits the pixels of the line from `a` to `b` that lie in `window`, both ends included.
+///
+/// Cannot fail, for any coordinates and any window.
+/// ```
+/// use embedded_graphics_core::geometry::Point;
+/// use embedded_raster::{raster::line, ClippedSpan, Rect};
+/// let window = Rect::new(0, 0, 25, 48);
+/// let mut spans = vec![];
+/// line::draw(Point::new(20, 41), Point::new(30, 44), window, |s: ClippedSpan| spans.push((s.y(), s.x0(), s.x1())));
+/// assert_eq!(spans, [(41, 20, 22), (42, 22, 25)]);
+/// ```
+#[inline]
+pub fn draw(a: Point, b: Point, window: Rect, mut sink: impl Sink) {
+    if let Some(steps) = clip(a, b, window) {
+        sink.steps(steps);
+    }
+}
+
+/// A box that encloses the line from `a` to `b`: all of its pixels, and the ends. It stops at the end of `i32`.
+pub fn extent(a: Point, b: Point) -> Rect {
+    let end = |a: i32, b: i32| a.max(b).saturating_add(1);
+    Rect { x0: a.x.min(b.x), y0: a.y.min(b.y), x1: end(a.x, b.x), y1: end(a.y, b.y) }
+}
 
 /// The visible part of the line from `a` to `b`, both ends included; `None` when no pixel of it lies in `window`.
 ///

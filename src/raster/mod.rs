@@ -10,28 +10,21 @@
 //!
 //! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!
-//! Every function takes the window that may be drawn and emits what lies in it, top row first. Work depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
+//! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a
+//! [`Sink`](crate::Sink), which receives what lies in the window. In which order is said there, once for all shapes. Work
+//! depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
+//!
+//! Functions named `extent` tell a box that encloses a shape, without drawing it.
 
-pub mod arc;
-pub mod dash;
-pub mod ellipse;
 pub mod flood;
 pub mod line;
 pub mod outline;
 pub mod polygon;
 pub mod rectangle;
-pub mod rounded;
 pub mod stroke;
 pub mod triangle;
 
-mod direction;
-mod edge;
-mod list;
+mod round;
+mod slope;
 
-pub use arc::Sector;
-pub use dash::Dash;
-pub use edge::EdgeSlot;
-pub use ellipse::Ellipse;
-pub use polygon::FillRule;
-pub use rounded::Radii;
-pub use stroke::{Cap, Join, Stroke};
+pub use self::round::{arc, ellipse, rounded};

@@ -22,14 +22,13 @@
 use core::num::NonZeroU32;
 
 use crate::{
-    geom::{bits, Path, PointFx, View},
+    geom::{bits, Path, PathSegment, PointFx, View},
     num::{
         cast::{signed, unsigned},
         round::{div_rem_wide, first_centre_after, first_centre_from},
         stepper::Stepper,
     },
-    rect::Rect,
-    span::{ClippedSpan, Span},
+    span::{Rect, Sink, Span},
 };
 
 /// Pixels around a window that decide what is drawn inside, and one more.
@@ -41,11 +40,11 @@ const MARGIN: i32 = 4;
 /// Cannot fail, for any coordinates and any window.
 /// ```
 /// use embedded_graphics_core::geometry::Point;
-/// use embedded_raster::{raster::outline, Path, PathSegment::*, Rect, PointFx};
+/// use embedded_raster::{raster::outline, ClippedSpan, Path, PathSegment::*, PointFx, Rect};
 /// let at = |x, y| PointFx::centre_of(Point::new(x, y));
 /// let arch = [MoveTo(at(0, 5)), QuadraticTo(at(5, -5), at(10, 5))];
 /// let mut rows = [[b'.'; 11]; 6];
-/// outline::draw(Path::new(&arch), Rect::new(0, 0, 11, 6), |s| {
+/// outline::draw(Path::new(&arch), Rect::new(0, 0, 11, 6), |s: ClippedSpan| {
 ///     (s.x0()..s.x1()).for_each(|x| rows[s.y() as usize][x as usize] = b'#');
 /// });
 /// assert_eq!(rows.map(|r| String::from_utf8(r.to_vec()).unwrap()), [
@@ -57,14 +56,14 @@ const MARGIN: i32 = 4;
 ///     "#.........#",
 /// ]);
 /// ```
-pub fn draw(path: Path<'_>, window: Rect, emit: impl FnMut(ClippedSpan)) {
+pub fn draw(path: Path<'_>, window: Rect, sink: impl Sink) {
     if window.is_empty() {
         return;
     }
     let reach = unsigned(MARGIN) << 8;
     let view = View::of(window, reach);
     let run = Span { y: 0, x0: 0, x1: 0 };
-    let mut trace = Trace { window, emit, way: None, end: None, before: None, last: None, bent: false, run };
+    let mut trace = Trace { window, sink, way: None, end: None, before: None, last: None, bent: false, run };
     for mut contour in path.contours_near(window, reach) {
         let closed = contour.is_closed();
         let Some(start) = contour.next() else { continue };
@@ -80,6 +79,33 @@ pub fn draw(path: Path<'_>, window: Rect, emit: impl FnMut(ClippedSpan)) {
     }
 }
 
+/// A box that encloses a path: the pixels that its ends and control points lie in, and all between them. It holds the outline
+/// and the filled path; what a stroke of it may cover [`stroke::extent`](super::stroke::extent) tells.
+pub fn extent(path: Path<'_>) -> Rect {
+    let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
+    let mut hold = |place: PointFx| {
+        let (x, y) = bits(place);
+        low = (low.0.min(x >> 8), low.1.min(y >> 8));
+        high = (high.0.max(x >> 8), high.1.max(y >> 8));
+    };
+    // A path that does not begin with a move begins at (0, 0).
+    if !matches!(path.segments(), [] | [PathSegment::MoveTo(_), ..]) {
+        hold(PointFx::from_bits(0, 0));
+    }
+    for segment in path.segments() {
+        match *segment {
+            PathSegment::MoveTo(a) | PathSegment::LineTo(a) => hold(a),
+            PathSegment::QuadraticTo(c, a) => [c, a].into_iter().for_each(&mut hold),
+            PathSegment::CubicTo(c, d, a) => [c, d, a].into_iter().for_each(&mut hold),
+            PathSegment::Close => {}
+        }
+    }
+    if low.0 > high.0 {
+        return Rect::default();
+    }
+    Rect { x0: low.0, y0: low.1, x1: high.0.wrapping_add(1), y1: high.1.wrapping_add(1) }
+}
+
 /// Quotient and remainder of `s n / d`, or of its negative, rounded down, for `s n / d < 2^32`.
 fn ratio(s: u32, n: u32, d: NonZeroU32, negative: bool) -> (i32, u32) {
     let (q, r) = div_rem_wide(u64::from(s).wrapping_mul(u64::from(n)), d);
@@ -91,9 +117,9 @@ fn ratio(s: u32, n: u32, d: NonZeroU32, negative: bool) -> (i32, u32) {
 }
 
 /// Pixels in the order of the path, on their way to become spans.
-struct Trace<E> {
+struct Trace<S> {
     window: Rect,
-    emit: E,
+    sink: S,
     /// The way of the run: along y, and upwards along its axis. `None` at the start of a contour.
     way: Option<(bool, bool)>,
     /// The pixel of the run's end, if it counts in case the run ends here.
@@ -107,7 +133,7 @@ struct Trace<E> {
     run: Span,
 }
 
-impl<E: FnMut(ClippedSpan)> Trace<E> {
+impl<S: Sink> Trace<S> {
     fn start(&mut self, start: PointFx) {
         let pixel = start.pixel();
         (self.way, self.end) = (None, Some((pixel.x, pixel.y)));
@@ -188,7 +214,7 @@ impl<E: FnMut(ClippedSpan)> Trace<E> {
     /// Emits the run and begins another.
     fn flush(&mut self, next: Span) {
         if let Some(span) = core::mem::replace(&mut self.run, next).clip(self.window) {
-            (self.emit)(span);
+            self.sink.span(span);
         }
     }
 

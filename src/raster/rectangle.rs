@@ -1,15 +1,15 @@
-//! Points and axis-parallel rectangles in sub-pixel coordinates, by the rule of all fills; outlines of boxes of pixels.
+//! Rectangles: filled and in outline, by pixels; and the pixels of a rectangle between places.
 
 use crate::{
     geom::{bits, PointFx},
     num::round::first_centre_from,
-    rect::Rect,
+    span::{Rect, Sink},
 };
 
 /// The pixels whose centres lie in the rectangle between two opposite corners: left and top sides in, right and bottom
 /// sides out.
 /// ```
-/// use embedded_raster::{raster::rectangle, Rect, PointFx};
+/// use embedded_raster::{raster::rectangle, PointFx, Rect};
 /// let (a, b) = (PointFx::from_bits(128, 129), PointFx::from_bits(640, 641));
 /// assert_eq!(rectangle::pixels(a, b), Rect::new(0, 1, 2, 3));
 /// assert_eq!(rectangle::pixels(b, a), Rect::new(0, 1, 2, 3));
@@ -25,17 +25,39 @@ pub fn pixels(a: PointFx, b: PointFx) -> Rect {
     }
 }
 
-/// The outline of a box of pixels, one pixel wide: its top and bottom rows, and between them its left and right columns. No
-/// two of them share a pixel; of a box with less than three rows or columns some are empty.
+/// Emits the pixels of a rectangle that lie in `window`.
+#[inline]
+pub fn fill(area: Rect, window: Rect, mut sink: impl Sink) {
+    let seen = area.intersection(window);
+    if !seen.is_empty() {
+        sink.area(seen);
+    }
+}
+
+/// Emits the outline of a rectangle, one pixel wide, as far as it lies in `window`: its top row, between them its left and
+/// right columns, and its bottom row. No two of them share a pixel.
 /// ```
-/// use embedded_raster::{raster::rectangle, Rect};
-/// let sides = [Rect::new(2, 1, 9, 2), Rect::new(2, 4, 9, 5), Rect::new(2, 2, 3, 4), Rect::new(8, 2, 9, 4)];
-/// assert_eq!(rectangle::sides(Rect::new(2, 1, 9, 5)), sides);
+/// use embedded_raster::{raster::rectangle, ClippedSpan, Rect};
+/// let mut spans = vec![];
+/// rectangle::outline(Rect::new(2, 1, 9, 4), Rect::new(0, 0, 64, 48), |s: ClippedSpan| spans.push((s.y(), s.x0(), s.x1())));
+/// assert_eq!(spans, [(1, 2, 9), (2, 2, 3), (2, 8, 9), (3, 2, 9)]);
 /// ```
-pub fn sides(area: Rect) -> [Rect; 4] {
+#[inline]
+pub fn outline(area: Rect, window: Rect, mut sink: impl Sink) {
     let Rect { x0, y0, x1, y1 } = area;
     let (left, top) = (x0.saturating_add(1).min(x1), y0.saturating_add(1).min(y1));
     let (right, bottom) = (x1.saturating_sub(1).max(left), y1.saturating_sub(1).max(top));
     let between = Rect { y0: top, y1: bottom, ..area };
-    [Rect { y1: top, ..area }, Rect { y0: bottom, ..area }, Rect { x1: left, ..between }, Rect { x0: right, ..between }]
+    let sides = [
+        Rect { y1: top, ..area },
+        Rect { x1: left, ..between },
+        Rect { x0: right, ..between },
+        Rect { y0: bottom, ..area },
+    ];
+    for side in sides {
+        let seen = side.intersection(window);
+        if !seen.is_empty() {
+            sink.area(seen);
+        }
+    }
 }

@@ -4,15 +4,15 @@ use core::marker::PhantomData;
 
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-use super::Surface;
-use crate::{rect::Rect, span::ClippedSpan};
+use super::traits::Surface;
+use crate::span::{ClippedSpan, Rect};
 
 /// Counts the pixels and spans that drawing would write: what a scene costs before there is memory for it.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb565;
 /// use embedded_raster::{surface::Counter, Canvas, Rect, PointFx};
 /// let mut counter = Counter::<Rgb565>::new(Rect::new(0, 0, 320, 240));
-/// counter.fill_triangle([PointFx::px(0, 0), PointFx::px(100, 0), PointFx::px(0, 100)], Rgb565::default());
+/// counter.fill_triangle_fx([PointFx::px(0, 0), PointFx::px(100, 0), PointFx::px(0, 100)], Rgb565::default());
 /// assert_eq!((counter.pixels, counter.spans), (4950, 99));
 /// ```
 #[derive(Copy, Clone, Debug)]

@@ -87,16 +87,16 @@ impl Shape {
     pub(crate) fn draw<S: Surface>(&self, surface: &mut S, color: S::Color) {
         match self {
             Self::Line(a, b) => surface.draw_line(Point::new(a.0, a.1), Point::new(b.0, b.1), color),
-            Self::Triangle(units) => surface.fill_triangle(corners(*units), color),
+            Self::Triangle(units) => surface.fill_triangle_fx(corners(*units), color),
             Self::Polygon(units) => {
                 let mut table = [EdgeSlot::EMPTY; 16];
-                surface.fill_polygon(&vertices(units), FillRule::EvenOdd, &mut table, color).expect("enough slots");
+                surface.fill_polygon_fx(&vertices(units), FillRule::EvenOdd, &mut table, color).expect("enough slots");
             }
             Self::Rectangle(units) => {
                 let [a, b, _] = corners(*units);
-                surface.fill_rectangle(a, b, color);
+                surface.fill_rectangle_fx(a, b, color);
             }
-            Self::Disc(area) => surface.fill_ellipse(Ellipse::in_box(*area), color),
+            Self::Disc(area) => surface.fill_ellipse_fx(Ellipse::in_box(*area), color),
             Self::Circle(area) => surface.draw_ellipse(*area, color),
             Self::Outline(area) => surface.draw_rectangle(*area, color),
         }
@@ -264,7 +264,7 @@ impl<F: PixelFormat> Frame for Framebuffer<'_, F> {
     }
 
     fn set(&mut self, p: Point, color: u32) {
-        Framebuffer::set(self, p, F::unpack(color));
+        Surface::set(self, p, F::unpack(color));
     }
 
     fn draw(&mut self, shape: &Shape, color: u32) {
@@ -293,26 +293,26 @@ impl<F: PixelFormat> Frame for Framebuffer<'_, F> {
     }
 
     fn blit(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>) {
-        let source = source.bitmap::<F>().part(part);
+        let source = source.bitmap::<F>().clipped(part);
         match key {
-            Some(key) => Framebuffer::blit_keyed(self, at, &source, F::unpack(key)),
-            None => Framebuffer::blit(self, at, &source),
+            Some(key) => Canvas::blit_keyed(self, at, &source, F::unpack(key)),
+            None => Canvas::blit(self, at, &source),
         }
     }
 
     fn blit_mask(&mut self, at: Point, mask: &Naive, part: Rect, on: u32, off: Option<u32>) {
         let (on, off) = (F::unpack(on), off.map(F::unpack));
         if mask.format.lsb0 {
-            Framebuffer::blit_mask(self, at, &mask.bitmap::<Lsb0<Index1>>().part(part), on, off);
+            Canvas::blit_mask(self, at, &mask.bitmap::<Lsb0<Index1>>().clipped(part), on, off);
         } else {
-            Framebuffer::blit_mask(self, at, &mask.bitmap::<Index1>().part(part), on, off);
+            Canvas::blit_mask(self, at, &mask.bitmap::<Index1>().clipped(part), on, off);
         }
     }
 
     fn move_area(&mut self, area: Rect, to: Point, key: Option<u32>) {
         match key {
-            Some(key) => Framebuffer::move_area_keyed(self, area, to, F::unpack(key)),
-            None => Framebuffer::move_area(self, area, to),
+            Some(key) => Canvas::move_area_keyed(self, area, to, F::unpack(key)),
+            None => Canvas::move_area(self, area, to),
         }
     }
 

@@ -113,14 +113,14 @@ fn lines<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
 fn triangles<F: PixelFormat>(frame: &mut Frame<F>, triangles: &[Triangle]) {
     let mut surface = frame.surface();
     for triangle in triangles {
-        surface.fill_triangle(triangle.units.map(vertex), color::<F>(triangle.ink));
+        surface.fill_triangle_fx(triangle.units.map(vertex), color::<F>(triangle.ink));
     }
 }
 
 fn discs<F: PixelFormat>(frame: &mut Frame<F>, discs: &[Rect]) {
     let mut surface = frame.surface();
     for disc in discs {
-        surface.fill_ellipse(Ellipse::in_box(disc.sides), color::<F>(disc.ink));
+        surface.fill_ellipse_fx(Ellipse::in_box(disc.sides), color::<F>(disc.ink));
     }
 }
 
@@ -144,28 +144,28 @@ fn flood<F: PixelFormat>(frame: &mut Frame<F>, flooded: &Flooded<'_>) {
     if surface.get(flooded.seed).map(F::pack) == Some(0) {
         for shape in flooded.shapes {
             if flooded.round {
-                surface.fill_ellipse(Ellipse::in_box(shape.sides), ground);
+                surface.fill_ellipse_fx(Ellipse::in_box(shape.sides), ground);
             } else {
                 surface.fill_area(shape.sides, ground);
             }
         }
     }
     let mut table = [FloodSlot::EMPTY; 16];
-    surface.flood_fill(flooded.seed, Connectivity::Sides, first, &mut table);
-    surface.flood_fill(flooded.seed, Connectivity::Sides, second, &mut table);
+    surface.flood_fill(flooded.seed, Connectivity::Sides, &mut table, first);
+    surface.flood_fill(flooded.seed, Connectivity::Sides, &mut table, second);
 }
 
 fn polygon<F: PixelFormat>(frame: &mut Frame<F>, outline: &Outline<'_>) {
     let mut surface = Framebuffer::<F>::new(&mut frame.memory, WIDTH as u16, HEIGHT as u16).unwrap();
     let vertices = outline.units.iter().map(|&v| vertex(v));
     let color = color::<F>(outline.ink);
-    surface.fill_contours([vertices], FillRule::NonZero, &mut frame.table, color).unwrap();
+    surface.fill_contours_fx([vertices], FillRule::NonZero, &mut frame.table, color).unwrap();
 }
 
 fn curves<F: PixelFormat>(frame: &mut Frame<F>, curves: &[Curve]) {
     let mut surface = frame.surface();
     for curve in curves {
-        surface.draw_cubic(curve.units.map(vertex), color::<F>(curve.ink));
+        surface.draw_cubic_fx(curve.units.map(vertex), color::<F>(curve.ink));
     }
 }
 
@@ -177,7 +177,7 @@ fn blob<F: PixelFormat>(frame: &mut Frame<F>, blob: &Blob<'_>) {
         *segment = PathSegment::CubicTo(c, d, b);
     }
     let color = color::<F>(blob.ink);
-    surface.fill_path(Path::new(&segments), FillRule::NonZero, &mut frame.table, color).unwrap();
+    surface.fill_path_fx(Path::new(&segments), FillRule::NonZero, &mut frame.table, color).unwrap();
 }
 
 fn thick<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
@@ -185,7 +185,7 @@ fn thick<F: PixelFormat>(frame: &mut Frame<F>, lines: &[Segment]) {
     let stroke = Stroke::px(THICK as u16);
     for line in lines {
         let ends = line.ends.map(PointFx::centre_of);
-        surface.stroke_line(ends, &stroke, &mut frame.table, color::<F>(line.ink)).unwrap();
+        surface.stroke_line_fx(ends, &stroke, &mut frame.table, color::<F>(line.ink)).unwrap();
     }
 }
 
@@ -197,9 +197,9 @@ fn track<F: PixelFormat>(frame: &mut Frame<F>, track: &Track<'_>) {
         Some(lengths) => {
             let lengths = lengths.map(I24F8::from);
             let stroke = stroke.dashed(&lengths, I24F8::ZERO);
-            surface.stroke_polyline(&places, false, &stroke, &mut frame.table, color).unwrap();
+            surface.stroke_polyline_fx(&places, false, &stroke, &mut frame.table, color).unwrap();
         }
-        None => surface.stroke_polyline(&places, false, &stroke, &mut frame.table, color).unwrap(),
+        None => surface.stroke_polyline_fx(&places, false, &stroke, &mut frame.table, color).unwrap(),
     }
 }
 

@@ -70,16 +70,16 @@ macro_rules! entry_points {
             let sector = Sector::new(Angle::from_bits(angles[0]), Angle::from_bits(angles[1]));
             let area = Rect { x0: v[0][0], y0: v[0][1], x1: v[1][0], y1: v[1][1] };
             m.with::<$format>(|frame, color| {
-                frame.fill_ellipse(ring, color);
-                frame.fill_ellipse(Ellipse::in_box(area), color);
+                frame.fill_ellipse_fx(ring, color);
+                frame.fill_ellipse_fx(Ellipse::in_box(area), color);
                 frame.draw_ellipse(area, color);
-                frame.fill_enclosed(area, color);
-                frame.draw_square_point(at, size.x, color);
+                frame.fill_outlined_ellipse(area, color);
+                frame.fill_square_point_fx(at, size.x, color);
                 frame.fill_rounded(area, *radii, color);
                 frame.draw_rounded(area, *radii, color);
                 frame.draw_rectangle(area, color);
                 frame.draw_arc(area, sector, color);
-                frame.fill_ring_sector(ring, hole, sector, color);
+                frame.fill_ring_sector_fx(ring, hole, sector, color);
             })
         }
         #[no_mangle]
@@ -87,8 +87,8 @@ macro_rules! entry_points {
             let (at, table) = (Point::new(at[0], at[1]), slice::from_raw_parts_mut(p, slots));
             let reach = if corners { Connectivity::Corners } else { Connectivity::Sides };
             m.with::<$format>(|frame, color| {
-                frame.flood_fill(at, reach, color, table);
-                frame.flood_fill_to(at, <$format>::unpack(border), reach, color, table);
+                frame.flood_fill(at, reach, table, color);
+                frame.flood_fill_to(at, <$format>::unpack(border), reach, table, color);
             })
         }
         #[no_mangle]
@@ -98,8 +98,8 @@ macro_rules! entry_points {
         #[no_mangle]
         pub unsafe extern "C" fn $area(m: &Memory, a: [i32; 2], b: [i32; 2]) -> bool {
             m.with::<$format>(|frame, color| {
-                frame.fill_rectangle(vertex(a), vertex(b), color);
-                frame.draw_point(vertex(a), color);
+                frame.fill_rectangle_fx(vertex(a), vertex(b), color);
+                frame.draw_point_fx(vertex(a), color);
             })
         }
         #[no_mangle]
@@ -112,14 +112,14 @@ macro_rules! entry_points {
         }
         #[no_mangle]
         pub unsafe extern "C" fn $triangle(m: &Memory, corners: [[i32; 2]; 3]) -> bool {
-            m.with::<$format>(|frame, color| frame.fill_triangle(corners.map(vertex), color))
+            m.with::<$format>(|frame, color| frame.fill_triangle_fx(corners.map(vertex), color))
         }
         #[no_mangle]
         pub unsafe extern "C" fn $polygon(m: &Memory, v: *const PointFx, n: usize, e: *mut EdgeSlot, slots: usize, odd: bool) -> bool {
             let rule = if odd { FillRule::EvenOdd } else { FillRule::NonZero };
             let (outline, table) = (slice::from_raw_parts(v, n), slice::from_raw_parts_mut(e, slots));
             let mut fits = false;
-            m.with::<$format>(|frame, color| fits = frame.fill_polygon(outline, rule, table, color).is_ok()) && fits
+            m.with::<$format>(|frame, color| fits = frame.fill_polygon_fx(outline, rule, table, color).is_ok()) && fits
         }
         #[no_mangle]
         pub unsafe extern "C" fn $set(m: &Memory, at: [i32; 2]) -> u32 {
@@ -134,7 +134,7 @@ macro_rules! entry_points {
         pub unsafe extern "C" fn $blit(m: &Memory, s: &Memory, at: [i32; 2], keyed: bool) -> bool {
             let bytes = slice::from_raw_parts(s.bytes, s.len);
             let Ok(source) = Bitmap::<$format>::with_stride(bytes, s.width, s.height, s.stride) else { return false };
-            let (source, at) = (source.part(s.area()), Point::new(at[0], at[1]));
+            let (source, at) = (source.clipped(s.area()), Point::new(at[0], at[1]));
             m.with::<$format>(|frame, color| match keyed {
                 true => frame.blit_keyed(at, &source, color),
                 false => frame.blit(at, &source),
@@ -147,10 +147,10 @@ macro_rules! entry_points {
                 let off = opaque.then(|| <$format>::unpack(s.color));
                 if lsb0 {
                     if let Ok(mask) = Bitmap::<Lsb0<Index1>>::with_stride(bytes, s.width, s.height, s.stride) {
-                        frame.blit_mask(at, &mask.part(s.area()), color, off);
+                        frame.blit_mask(at, &mask.clipped(s.area()), color, off);
                     }
                 } else if let Ok(mask) = Bitmap::<BinaryColor>::with_stride(bytes, s.width, s.height, s.stride) {
-                    frame.blit_mask(at, &mask.part(s.area()), color, off);
+                    frame.blit_mask(at, &mask.clipped(s.area()), color, off);
                 }
             })
         }
@@ -207,8 +207,8 @@ pub unsafe extern "C" fn path_fill(
     let (path, table) = (Path::new(slice::from_raw_parts(p, n)), slice::from_raw_parts_mut(e, slots));
     let mut fits = false;
     m.with::<Rgb565>(|frame, color| {
-        fits = frame.fill_path(path, FillRule::NonZero, table, color).is_ok();
-        frame.draw_path(path, color);
+        fits = frame.fill_path_fx(path, FillRule::NonZero, table, color).is_ok();
+        frame.draw_path_fx(path, color);
     }) && fits
 }
 
@@ -228,8 +228,8 @@ pub unsafe extern "C" fn path_stroke(
     let dashed = stroke.dashed(slice::from_raw_parts(lengths, count), I24F8::from_bits(phase));
     let mut fits = false;
     m.with::<Index4>(|frame, color| {
-        fits = frame.stroke_path(path, stroke, table, color).is_ok();
-        fits &= frame.stroke_path(path, &dashed, table, color).is_ok();
+        fits = frame.stroke_path_fx(path, stroke, table, color).is_ok();
+        fits &= frame.stroke_path_fx(path, &dashed, table, color).is_ok();
     }) && fits
 }
 
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn line_stroke(
     let (places, table) = (slice::from_raw_parts(v, n), slice::from_raw_parts_mut(e, slots));
     let mut fits = false;
     m.with::<Gray8>(|frame, color| {
-        fits = frame.stroke_polyline(places, slots > 9, stroke, table, color).is_ok();
+        fits = frame.stroke_polyline_fx(places, slots > 9, stroke, table, color).is_ok();
     }) && fits
 }
 
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn line_stroke(
 pub unsafe extern "C" fn band(m: &Memory, rows: [u16; 2], corners: [[i32; 2]; 3]) -> bool {
     let bytes = slice::from_raw_parts_mut(m.bytes, m.len);
     let Ok(mut band) = Framebuffer::<Index4>::band(bytes, m.width, m.height, rows[0]..rows[1]) else { return false };
-    band.view(m.area()).fill_triangle(corners.map(vertex), Index4::MAX);
+    band.view(m.area()).fill_triangle_fx(corners.map(vertex), Index4::MAX);
     true
 }
 
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn paged(m: &Memory, corners: [[i32; 2]; 3], at: [i32; 2],
     let (a, b) = (Point::new(at[0], at[1]), Point::new(at[1], at[0]));
     oled.clear(BinaryColor::Off);
     let mut part = oled.clipped(m.area());
-    part.fill_triangle(corners.map(vertex), BinaryColor::On);
+    part.fill_triangle_fx(corners.map(vertex), BinaryColor::On);
     part.draw_line(a, b, BinaryColor::On);
     part.fill_area(m.area(), BinaryColor::On);
     part.set(a, part.get(b).unwrap_or(BinaryColor::On));

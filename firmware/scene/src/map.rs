@@ -32,7 +32,7 @@ pub fn draw(memory: &mut [u8], table: &mut [EdgeSlot]) -> Result<(), Error> {
     let mut frame = Framebuffer::<Index4>::new(memory, WIDTH, HEIGHT)?;
     frame.clear(SEA);
     for (country, &color) in countries().zip(LAND.iter().cycle()) {
-        frame.fill_contours(country, FillRule::EvenOdd, table, Index4::new(color))?;
+        frame.fill_contours_fx(country, FillRule::EvenOdd, table, Index4::new(color))?;
     }
     for ring in countries().flatten() {
         // Closed: from the last point to the first.

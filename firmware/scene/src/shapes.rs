@@ -3,7 +3,7 @@
 use embedded_graphics::prelude::{Point, Size};
 use embedded_raster::raster::triangle;
 use embedded_raster::{
-    buffer_bytes, Canvas, EdgeSlot, Error, FillRule, Framebuffer, PixelFormat, PointFx, Rect, Surface,
+    buffer_bytes, Canvas, EdgeSlot, EdgeTableFull, Error, FillRule, Framebuffer, PixelFormat, PointFx, Rect, Surface,
 };
 
 use crate::{HEIGHT, WIDTH};
@@ -34,7 +34,7 @@ fn rectangles<F: PixelFormat>(frame: &mut Framebuffer<'_, F>) {
     for i in 0..40 {
         let a = PointFx::from_bits(i * 1_777, i * 331);
         let b = PointFx::from_bits(i * 1_777 + i * 257, i * 331 + 9_000);
-        frame.fill_rectangle(a, b, color::<F>(i as u32 + 3));
+        frame.fill_rectangle_fx(a, b, color::<F>(i as u32 + 3));
     }
 }
 
@@ -44,13 +44,13 @@ fn triangles<F: PixelFormat>(frame: &mut Framebuffer<'_, F>) {
     for i in 0..16 {
         let color = color::<F>(i as u32 + 50);
         let corners = |y| [(0, 0), rim[i], rim[(i + 1) % 16]].map(|(dx, dy)| PointFx::from_bits(20_333 + dx, y + dy));
-        frame.fill_triangle(corners(22_222), color);
+        frame.fill_triangle_fx(corners(22_222), color);
         triangle::walk(corners(45_678), frame.window(), |span| frame.fill_span(span, color));
     }
 }
 
 /// The same crossing star by both rules, the second one partly off the screen.
-fn stars<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, table: &mut [EdgeSlot]) -> Result<(), Error> {
+fn stars<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, table: &mut [EdgeSlot]) -> Result<(), EdgeTableFull> {
     let rim = rim(60 * 256);
     // Every fifth of sixteen: crosses itself many times.
     let star = |x: i32, y: i32| {
@@ -59,10 +59,10 @@ fn stars<F: PixelFormat>(frame: &mut Framebuffer<'_, F>, table: &mut [EdgeSlot])
             PointFx::from_bits(x + dx, y + dy)
         })
     };
-    frame.fill_polygon(&star(60_000, 20_100), FillRule::NonZero, table, color::<F>(70))?;
-    frame.fill_polygon(&star(72_000, 50_300), FillRule::EvenOdd, table, color::<F>(71))?;
+    frame.fill_polygon_fx(&star(60_000, 20_100), FillRule::NonZero, table, color::<F>(70))?;
+    frame.fill_polygon_fx(&star(72_000, 50_300), FillRule::EvenOdd, table, color::<F>(71))?;
     let (outer, hole) = (star(48_000, 40_000), star(48_256, 40_128).map(|v| PointFx::new(v.x, v.y / 2)));
-    frame.fill_contours([outer, hole], FillRule::EvenOdd, table, color::<F>(72))
+    frame.fill_contours_fx([outer, hole], FillRule::EvenOdd, table, color::<F>(72))
 }
 
 /// A picture drawn in its own memory, set down with and without a key; then a part of the screen moved over itself.
@@ -71,7 +71,7 @@ fn sprites<F: PixelFormat>(frame: &mut Framebuffer<'_, F>) -> Result<(), Error> 
     let mut memory = [0; buffer_bytes::<embedded_graphics::pixelcolor::Rgb565>(SIDE, SIDE)];
     let mut sprite = Framebuffer::<F>::new(&mut memory, SIDE, SIDE)?;
     sprite.clear(color::<F>(80));
-    sprite.fill_triangle([PointFx::px(12, 1), PointFx::px(23, 22), PointFx::px(1, 18)], color::<F>(82));
+    sprite.fill_triangle_fx([PointFx::px(12, 1), PointFx::px(23, 22), PointFx::px(1, 18)], color::<F>(82));
     sprite.draw_line(Point::new(0, 23), Point::new(23, 0), color::<F>(83));
     for i in 0..12 {
         frame.blit(Point::new(i * 29 - 5, 3 * i - 4), &sprite.as_bitmap());
@@ -88,9 +88,9 @@ fn views<F: PixelFormat>(frame: &mut Framebuffer<'_, F>) {
     view.clear(color::<F>(90));
     let Size { width, height } = view.size();
     view.draw_line(Point::new(-9, 4), Point::new(width as i32 + 9, height as i32 - 4), color::<F>(91));
-    view.fill_triangle([PointFx::px(-20, 10), PointFx::px(30, -5), PointFx::px(80, 60)], color::<F>(92));
+    view.fill_triangle_fx([PointFx::px(-20, 10), PointFx::px(30, -5), PointFx::px(80, 60)], color::<F>(92));
     let mut clipped = frame.clipped(Rect::new(7, 151, 66, 203));
-    clipped.fill_rectangle(PointFx::px(-100, 170), PointFx::px(40, 500), color::<F>(93));
+    clipped.fill_rectangle_fx(PointFx::px(-100, 170), PointFx::px(40, 500), color::<F>(93));
     clipped.draw_polyline(rim(90 * 256).map(|(dx, dy)| Point::new(40 + dx / 256, 180 + dy / 256)), color::<F>(94));
 }
 
@@ -99,7 +99,7 @@ fn lines<F: PixelFormat>(frame: &mut Framebuffer<'_, F>) {
     for (i, (dx, dy)) in rim(100 * 256).into_iter().enumerate() {
         let (near, far) = (Point::new(245 + dx / 2_000, 120 + dy / 2_000), Point::new(160 + dx / 90, 120 + dy / 40));
         frame.draw_line(near, far, color::<F>(i as u32 + 100));
-        frame.draw_point(PointFx::from_bits(40_960 + dx, 30_720 + dy), color::<F>(101));
+        frame.draw_point_fx(PointFx::from_bits(40_960 + dx, 30_720 + dy), color::<F>(101));
         frame.set(Point::new(160 + dx / 300, 120 + dy / 300), color::<F>(102));
     }
     frame.draw_line(Point::new(-100_000, -71_234), Point::new(90_001, 65_432), color::<F>(103));

@@ -4,7 +4,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Ellipse as GraphicsEllipse, PrimitiveStyle, Rectangle},
 };
-use embedded_raster::{raster::ellipse, Canvas, Ellipse};
+use embedded_raster::{raster::ellipse, Canvas, ClippedSpan, Ellipse};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
 use crate::{
@@ -22,14 +22,9 @@ pub(crate) fn entries() -> Vec<Entry<Oval>> {
             "fill",
             "two sweeps: `ellipse::fill`",
             Crate,
-            plain(|f, o: &Oval| ellipse::fill(Ellipse::in_box(o.area), WINDOW, |s| f.span(s))),
+            plain(|f, o: &Oval| ellipse::fill(Ellipse::in_box(o.area), WINDOW, |s: ClippedSpan| f.span(s))),
         ),
-        entry(
-            "canvas",
-            "`Canvas::fill_ellipse`",
-            Crate,
-            own(|f, o: &Oval| f.fill_ellipse(Ellipse::in_box(o.area), ink())),
-        ),
+        entry("canvas", "`Canvas::fill_ellipse`", Crate, own(|f, o: &Oval| f.fill_ellipse(o.area, ink()))),
         entry(
             "eg",
             "embedded-graphics",

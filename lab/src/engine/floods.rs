@@ -17,7 +17,7 @@ pub(crate) fn entries() -> Vec<Entry<Pool>> {
     vec![
         entry("stack", "a stack of pixels, any length", Textbook, plain(|f, p: &Pool| by_pixels(f, p))),
         entry("runs", "a stack of runs, any length", Textbook, plain(|f, p: &Pool| by_runs(f, p))),
-        entry("canvas64", "`Framebuffer::flood_fill`, 64 slots", Crate, own(|f, p: &Pool| ours::<64>(f, p))),
+        entry("canvas64", "`Canvas::flood_fill`, 64 slots", Crate, own(|f, p: &Pool| ours::<64>(f, p))),
         entry("canvas4", "the same with 4 slots", Crate, own(|f, p: &Pool| ours::<4>(f, p))),
         entry("canvas1", "the same with 1 slot", Crate, own(|f, p: &Pool| ours::<1>(f, p))),
     ]
@@ -26,10 +26,10 @@ pub(crate) fn entries() -> Vec<Entry<Pool>> {
 type Own<'a> = embedded_raster::Framebuffer<'a, Rgb565>;
 
 fn ours<const SLOTS: usize>(frame: &mut Own<'_>, pool: &Pool) {
-    use embedded_raster::{Bitmap, Index1};
+    use embedded_raster::{Bitmap, Canvas, Index1};
     let walls = Bitmap::<Index1>::new(&pool.bits, WIDTH as u16, HEIGHT as u16).expect("a bit a pixel");
     frame.blit_mask(Point::new(0, 0), &walls, Rgb565::WHITE, Rgb565::BLACK);
-    frame.flood_fill(pool.seed, Connectivity::Sides, ink(), &mut [FloodSlot::EMPTY; SLOTS]);
+    frame.flood_fill(pool.seed, Connectivity::Sides, &mut [FloodSlot::EMPTY; SLOTS], ink());
 }
 
 /// Pushes the four neighbours of every pixel.

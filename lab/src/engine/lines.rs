@@ -4,7 +4,7 @@
 //! first move the ends to the border of the screen (Cohen and Sutherland), rounded to pixels, and draw another line.
 
 use embedded_graphics::geometry::Point;
-use embedded_raster::{raster::line, Canvas};
+use embedded_raster::{raster::line, Canvas, ClippedSpan};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
 use crate::{
@@ -26,7 +26,7 @@ pub(crate) fn entries() -> Vec<Entry<Line>> {
         entry("dda8", "DDA in 24.8, tested", Textbook, plain(|f, l: &Line| dda::<8>(f, l.a, l.b))),
         entry("bresenham", "Bresenham, tested", Textbook, plain(|f, l: &Line| bresenham(f, l.a, l.b))),
         entry("bresenham-moved", "Bresenham, moved", Textbook, plain(|f, l: &Line| moved(f, l, bresenham))),
-        entry("steps", "`line::clip`, pixel by pixel", Crate, plain(|f, l: &Line| steps(f, l.a, l.b))),
+        entry("spans", "`line::draw`, span by span", Crate, plain(|f, l: &Line| spans(f, l.a, l.b))),
         entry("canvas", "`Canvas::draw_line`", Crate, own(|f, l: &Line| f.draw_line(l.a, l.b, ink()))),
         entry("eg", "embedded-graphics", Peer, peers::graphics(|f, l: &Line| peers::line(f, l.a, l.b, ink()))),
         entry("skia", "tiny-skia, hairline", Peer, peers::skia(|p, l: &Line| peers::hairline(p, l.path.as_ref()))),
@@ -85,21 +85,9 @@ pub(super) fn bresenham(frame: &mut Frame, a: Point, b: Point) {
     }
 }
 
-/// This crate's decisions, one pixel at a time on the plain frame.
-fn steps(frame: &mut Frame, a: Point, b: Point) {
-    let Some(mut steps) = line::clip(a, b, WINDOW) else { return };
-    let (mut x, mut y) = steps.first();
-    let (right, steep) = (if steps.goes_right() { 1 } else { -1 }, steps.is_steep());
-    for _ in 0..steps.len() {
-        frame.put(x, y);
-        let minor = steps.next_is_minor();
-        if minor || !steep {
-            x += right;
-        }
-        if minor || steep {
-            y += 1;
-        }
-    }
+/// This crate's spans, on the plain frame.
+fn spans(frame: &mut Frame, a: Point, b: Point) {
+    line::draw(a, b, WINDOW, |span: ClippedSpan| frame.span(span));
 }
 
 /// Draws the line between the ends moved to the border.

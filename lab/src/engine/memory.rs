@@ -86,12 +86,12 @@ impl Engine<Job> for Own {
         let (width, height, side) = (WIDTH as u16, HEIGHT as u16, SPRITE as u16);
         let colors = &mut Framebuffer::<Rgb565>::new(&mut self.colors, width, height).expect("made for this size");
         let bits = &mut Framebuffer::<BinaryColor>::new(&mut self.bits, width, height).expect("made for this size");
-        let sprite = Bitmap::new(&self.sprite, side, side).expect("made for this size");
+        let sprite = Bitmap::<Rgb565>::new(&self.sprite, side, side).expect("made for this size");
         for job in jobs {
             match job {
                 Job::BitLine(line) => bits.draw_line(line.a, line.b, BinaryColor::On),
                 Job::BitRectangle(area) => bits.fill_area(*area, BinaryColor::On),
-                Job::BitTriangle(triangle) => bits.fill_triangle(triangle.vertices, BinaryColor::On),
+                Job::BitTriangle(triangle) => bits.fill_triangle_fx(triangle.vertices, BinaryColor::On),
                 Job::Blit(at) => colors.blit(*at, &sprite),
                 Job::BlitKeyed(at) => colors.blit_keyed(*at, &sprite, Rgb565::BLACK),
                 Job::Text(at) => text(colors, *at, ink(), Rgb565::BLACK),

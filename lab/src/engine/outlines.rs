@@ -1,7 +1,7 @@
 //! Ways to draw a cubic Bézier curve one pixel wide.
 
 use embedded_graphics::geometry::Point;
-use embedded_raster::{raster::outline, Canvas, Path};
+use embedded_raster::{raster::outline, Canvas, ClippedSpan, Path};
 
 use super::{
     curves::{halve, uniform},
@@ -25,13 +25,13 @@ pub(crate) fn entries() -> Vec<Entry<Thin>> {
             "draw",
             "exact lines: `outline::draw`",
             Crate,
-            plain(|f, t: &Thin| outline::draw(Path::new(&t.curve.segments), WINDOW, |s| f.span(s))),
+            plain(|f, t: &Thin| outline::draw(Path::new(&t.curve.segments), WINDOW, |s: ClippedSpan| f.span(s))),
         ),
         entry(
             "canvas",
-            "`Canvas::draw_path`",
+            "`Canvas::draw_path_fx`",
             Crate,
-            own(|f, t: &Thin| f.draw_path(Path::new(&t.curve.segments), ink())),
+            own(|f, t: &Thin| f.draw_path_fx(Path::new(&t.curve.segments), ink())),
         ),
         entry("skia", "tiny-skia, hairline", Peer, peers::skia(|p, t: &Thin| peers::hairline(p, t.path.as_ref()))),
     ]

@@ -1,6 +1,6 @@
 //! Ways to fill what cubic Bézier curves enclose, by the even-odd rule.
 
-use embedded_raster::{raster::polygon, Canvas, EdgeSlot, FillRule::EvenOdd, Path};
+use embedded_raster::{raster::polygon, Canvas, ClippedSpan, EdgeSlot, FillRule::EvenOdd, Path};
 
 use super::{
     curves::{halve, uniform},
@@ -21,7 +21,8 @@ pub(crate) fn entries() -> Vec<Entry<Blob>> {
     let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, b: &Blob| {
         let contours = Path::new(&b.segments).contours_in(WINDOW);
-        polygon::fill(contours, EvenOdd, WINDOW, &mut table, |s| f.span(s)).expect("the table is large enough");
+        polygon::fill(contours, EvenOdd, &mut table, WINDOW, |s: ClippedSpan| f.span(s))
+            .expect("the table is large enough");
     };
     let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     vec![
@@ -31,10 +32,11 @@ pub(crate) fn entries() -> Vec<Entry<Blob>> {
         entry("fill", "exact edge table: `polygon::fill`", Crate, plain(move |f, b: &Blob| exact(f, b))),
         entry(
             "canvas",
-            "`Canvas::fill_path`",
+            "`Canvas::fill_path_fx`",
             Crate,
             own(move |f, b: &Blob| {
-                f.fill_path(Path::new(&b.segments), EvenOdd, &mut scratch, ink()).expect("the table is large enough");
+                f.fill_path_fx(Path::new(&b.segments), EvenOdd, &mut scratch, ink())
+                    .expect("the table is large enough");
             }),
         ),
         entry("skia", "tiny-skia", Peer, peers::skia(|p, b: &Blob| peers::fill_even_odd(p, b.path.as_ref()))),

@@ -1,6 +1,6 @@
 //! Ways to fill a polygon by the even-odd rule.
 
-use embedded_raster::{raster::polygon, Canvas, EdgeSlot, FillRule::EvenOdd};
+use embedded_raster::{raster::polygon, Canvas, ClippedSpan, EdgeSlot, FillRule::EvenOdd};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
 use crate::{
@@ -16,7 +16,7 @@ pub(crate) fn entries() -> Vec<Entry<Polygon>> {
     let mut crossings = Vec::new();
     let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, p: &Polygon| {
-        let filled = polygon::fill([&p.vertices[..]], EvenOdd, WINDOW, &mut table, |s| f.span(s));
+        let filled = polygon::fill([&p.vertices[..]], EvenOdd, &mut table, WINDOW, |s: ClippedSpan| f.span(s));
         filled.expect("the table is larger than the outline");
     };
     let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
@@ -31,10 +31,10 @@ pub(crate) fn entries() -> Vec<Entry<Polygon>> {
         entry("fill", "exact edge table: `polygon::fill`", Crate, plain(move |f, p: &Polygon| exact(f, p))),
         entry(
             "canvas",
-            "`Canvas::fill_polygon`",
+            "`Canvas::fill_polygon_fx`",
             Crate,
             own(move |f, p: &Polygon| {
-                f.fill_polygon(&p.vertices, EvenOdd, &mut scratch, ink())
+                f.fill_polygon_fx(&p.vertices, EvenOdd, &mut scratch, ink())
                     .expect("the table is larger than the outline");
             }),
         ),

@@ -4,7 +4,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Line, PrimitiveStyle},
 };
-use embedded_raster::{raster::polygon, Canvas, Cap, EdgeSlot, FillRule::NonZero, Join, Stroke};
+use embedded_raster::{raster::polygon, Canvas, Cap, ClippedSpan, EdgeSlot, FillRule::NonZero, Join, Stroke};
 use tiny_skia::{LineCap, LineJoin};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
@@ -21,7 +21,8 @@ pub(crate) fn entries() -> Vec<Entry<Thick>> {
     let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, t: &Thick| {
         let pieces = style(t).of_polyline(&t.vertices, false, WINDOW);
-        polygon::fill(pieces, NonZero, WINDOW, &mut table, |s| f.span(s)).expect("the table is large enough");
+        polygon::fill(pieces, NonZero, &mut table, WINDOW, |s: ClippedSpan| f.span(s))
+            .expect("the table is large enough");
     };
     let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     let mut entries = vec![
@@ -34,10 +35,10 @@ pub(crate) fn entries() -> Vec<Entry<Thick>> {
         ),
         entry(
             "canvas",
-            "`Canvas::stroke_polyline`",
+            "`Canvas::stroke_polyline_fx`",
             Crate,
             own(move |f, t: &Thick| {
-                f.stroke_polyline(&t.vertices, false, &style(t), &mut scratch, ink())
+                f.stroke_polyline_fx(&t.vertices, false, &style(t), &mut scratch, ink())
                     .expect("the table is large enough");
             }),
         ),

@@ -2,7 +2,7 @@
 
 use embedded_raster::{
     raster::triangle::{fill, walk},
-    Canvas,
+    Canvas, ClippedSpan,
 };
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
@@ -30,27 +30,32 @@ pub(crate) fn entries() -> Vec<Entry<Triangle>> {
             "walk0",
             "edge functions, 0 bits",
             Textbook,
-            plain(|f, t: &Triangle| walk(t.whole, WINDOW, |s| f.span(s))),
+            plain(|f, t: &Triangle| walk(t.whole, WINDOW, |s: ClippedSpan| f.span(s))),
         ),
         entry(
             "walk4",
             "edge functions, 4 bits",
             Textbook,
-            plain(|f, t: &Triangle| walk(t.sixteenths, WINDOW, |s| f.span(s))),
+            plain(|f, t: &Triangle| walk(t.sixteenths, WINDOW, |s: ClippedSpan| f.span(s))),
         ),
         entry(
             "walk8",
             "edge functions, 8 bits: `triangle::walk`",
             Crate,
-            plain(|f, t: &Triangle| walk(t.vertices, WINDOW, |s| f.span(s))),
+            plain(|f, t: &Triangle| walk(t.vertices, WINDOW, |s: ClippedSpan| f.span(s))),
         ),
         entry(
             "fill",
             "span solver: `triangle::fill`",
             Crate,
-            plain(|f, t: &Triangle| fill(t.vertices, WINDOW, |s| f.span(s))),
+            plain(|f, t: &Triangle| fill(t.vertices, WINDOW, |s: ClippedSpan| f.span(s))),
         ),
-        entry("canvas", "`Canvas::fill_triangle`", Crate, own(|f, t: &Triangle| f.fill_triangle(t.vertices, ink()))),
+        entry(
+            "canvas",
+            "`Canvas::fill_triangle_fx`",
+            Crate,
+            own(|f, t: &Triangle| f.fill_triangle_fx(t.vertices, ink())),
+        ),
         entry("eg", "embedded-graphics", Peer, peers::graphics(|f, t: &Triangle| peers::triangle(f, t.pixels, ink()))),
         entry("skia", "tiny-skia", Peer, peers::skia(|p, t: &Triangle| peers::fill(p, t.path.as_ref()))),
     ];

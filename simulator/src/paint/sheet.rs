@@ -109,7 +109,7 @@ fn draw<C: PixelFormat>(
         Command::Clear => frame.clear(color),
         Command::Pencil(points) => frame.draw_polyline(points.iter().copied(), color),
         Command::Line([a, b]) => frame.draw_line(*a, *b, color),
-        Command::Ellipse(corners) if ink.filled => frame.fill_enclosed(area(*corners), color),
+        Command::Ellipse(corners) if ink.filled => frame.fill_outlined_ellipse(area(*corners), color),
         Command::Ellipse(corners) => frame.draw_ellipse(area(*corners), color),
         Command::Rectangle(corners) if ink.filled => frame.fill_area(area(*corners), color),
         Command::Rectangle(corners) => frame.draw_rectangle(area(*corners), color),
@@ -117,15 +117,14 @@ fn draw<C: PixelFormat>(
             if ink.filled {
                 let outline: Vec<_> = corners.iter().map(|&corner| PointFx::centre_of(corner)).collect();
                 let mut table = vec![EdgeSlot::EMPTY; ink.scratch.edges];
-                frame.fill_polygon(&outline, FillRule::EvenOdd, &mut table, color)?;
+                frame.fill_polygon_fx(&outline, FillRule::EvenOdd, &mut table, color)?;
             }
             // The pixels that were clicked on belong to it.
             frame.draw_polygon(corners.iter().copied(), color);
         }
         Command::Fill(seed) => {
             let mut table = vec![FloodSlot::EMPTY; ink.scratch.slots];
-            frame.flood_fill(*seed, Connectivity::Sides, color, &mut table);
-            return Ok(table.iter().filter(|&&slot| slot != FloodSlot::EMPTY).count());
+            return Ok(frame.flood_fill(*seed, Connectivity::Sides, &mut table, color));
         }
         _ => {}
     }

@@ -83,18 +83,23 @@ impl World {
             surface.draw_polyline(line.iter().copied(), ink(Part::Grid));
         }
         // The screen with the globe as a hole in it.
-        surface.fill_contours([&self.screen.corners()[..], &self.rim], FillRule::EvenOdd, table, ink(Part::Paper))?;
+        surface.fill_contours_fx(
+            [&self.screen.corners()[..], &self.rim],
+            FillRule::EvenOdd,
+            table,
+            ink(Part::Paper),
+        )?;
         match layer {
             Layer::Borders => {}
             Layer::Continents => {
                 let rings = self.countries.iter().flatten();
-                surface.fill_contours(rings, FillRule::NonZero, table, ink(Part::Land { country: 0, color: 0 }))?;
+                surface.fill_contours_fx(rings, FillRule::NonZero, table, ink(Part::Land { country: 0, color: 0 }))?;
                 return Ok(());
             }
             Layer::Countries => {
                 for (country, (rings, &color)) in self.countries.iter().zip(&self.colors).enumerate() {
                     // Even-odd: the ring of an enclave is a hole in the country around it, whichever way it turns.
-                    surface.fill_contours(rings, FillRule::EvenOdd, table, ink(Part::Land { country, color }))?;
+                    surface.fill_contours_fx(rings, FillRule::EvenOdd, table, ink(Part::Land { country, color }))?;
                 }
             }
         }
@@ -138,7 +143,7 @@ impl World {
         table: &mut [EdgeSlot],
     ) -> Result<u64, EdgeTableFull> {
         let mut counter = Counter::new(self.window());
-        counter.fill_contours(rings, FillRule::EvenOdd, table, BinaryColor::On)?;
+        counter.fill_contours_fx(rings, FillRule::EvenOdd, table, BinaryColor::On)?;
         Ok(counter.pixels)
     }
 }

@@ -18,8 +18,8 @@
 //! Sources: S. Yokoi, J. Toriwaki, T. Fukumura, "An analysis of topological properties of digitized binary pictures using
 //! local features", Computer Graphics and Image Processing 4, 1975 (the crossing number).
 
-use super::{Connectivity, FloodTarget};
-use crate::rect::Rect;
+use super::target::{Connectivity, FloodTarget};
+use crate::span::Rect;
 
 /// The neighbours, clockwise from the right one: even numbers share a side.
 const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
@@ -42,28 +42,28 @@ struct Lap {
 }
 
 /// Paints the open pixels that are connected with the open pixel at `(x, y)`.
-pub(super) fn paint(field: &mut impl FloodTarget, window: Rect, reach: Connectivity, (x, y): (i32, i32)) {
-    let mut walker = Walker::below_wall(field, window, (x, y));
+pub(super) fn paint(target: &mut impl FloodTarget, window: Rect, connectivity: Connectivity, (x, y): (i32, i32)) {
+    let mut walker = Walker::below_wall(target, window, (x, y));
     let mut lap = Lap::new(walker);
     loop {
-        let (open, walls) = around(field, window, reach, (walker.x, walker.y));
+        let (open, walls) = around(target, window, connectivity, (walker.x, walker.y));
         let mut free = walls == 1 || open == 0;
         if !free && lap.is_over(walker) {
             let passed_twice = lap.start.direction != walker.direction;
             free = !passed_twice && walls == 2;
             if !free {
                 walker = if !passed_twice && lap.turns < 0 {
-                    Walker::below_wall(field, window, lap.top)
+                    Walker::below_wall(target, window, lap.top)
                 } else {
-                    lap.start.step(open, reach).0
+                    lap.start.step(open, connectivity).0
                 };
                 lap = Lap::new(walker);
                 continue;
             }
         }
-        let (next, turn) = walker.step(open, reach);
+        let (next, turn) = walker.step(open, connectivity);
         if free {
-            field.paint_pixel(walker.x, walker.y);
+            target.paint_pixel(walker.x, walker.y);
             if open == 0 {
                 return;
             }
@@ -77,17 +77,17 @@ pub(super) fn paint(field: &mut impl FloodTarget, window: Rect, reach: Connectiv
 
 impl Walker {
     /// Straight up from an open pixel to where a wall is above, as if come along it from the left.
-    fn below_wall(field: &impl FloodTarget, window: Rect, (x, mut y): (i32, i32)) -> Self {
-        while is_open(field, window, x, y.wrapping_sub(1)) {
+    fn below_wall(target: &impl FloodTarget, window: Rect, (x, mut y): (i32, i32)) -> Self {
+        while is_open(target, window, x, y.wrapping_sub(1)) {
             y = y.wrapping_sub(1);
         }
         Self { x, y, direction: 0 }
     }
 
     /// One step along the wall on the left, and by how many eighths it turns to the right.
-    fn step(self, open: u32, reach: Connectivity) -> (Self, i32) {
+    fn step(self, open: u32, connectivity: Connectivity) -> (Self, i32) {
         // By corners, the pixel to the left of the last step is known to be closed.
-        let first = if reach == Connectivity::Sides || self.direction & 1 != 0 { -2 } else { -1 };
+        let first = if connectivity == Connectivity::Sides || self.direction & 1 != 0 { -2 } else { -1 };
         for turn in first..first + 8 {
             let direction = self.direction.wrapping_add_signed(turn) & 7;
             if open >> direction & 1 != 0 {
@@ -117,8 +117,8 @@ impl Lap {
     }
 }
 
-fn is_open(field: &impl FloodTarget, window: Rect, x: i32, y: i32) -> bool {
-    window.contains(x, y) && field.is_open(x, y)
+fn is_open(target: &impl FloodTarget, window: Rect, x: i32, y: i32) -> bool {
+    window.contains(x, y) && target.is_open(x, y)
 }
 
 fn neighbour(x: i32, y: i32, direction: u32) -> (i32, i32) {
@@ -127,14 +127,14 @@ fn neighbour(x: i32, y: i32, direction: u32) -> (i32, i32) {
 }
 
 /// The open neighbours that can be stepped to, as bits, and the number of walls that meet here.
-fn around(field: &impl FloodTarget, window: Rect, reach: Connectivity, (x, y): (i32, i32)) -> (u32, u32) {
+fn around(target: &impl FloodTarget, window: Rect, connectivity: Connectivity, (x, y): (i32, i32)) -> (u32, u32) {
     let open = |direction| {
         let (x, y) = neighbour(x, y, direction);
-        u32::from(is_open(field, window, x, y)) << direction
+        u32::from(is_open(target, window, x, y)) << direction
     };
     let open = (0..8).fold(0, |bits, direction| bits | open(direction));
     // Yokoi's number: the sides where something begins that does not go on around the corner.
-    let (seen, steps) = match reach {
+    let (seen, steps) = match connectivity {
         Connectivity::Sides => (open, open & 0x55),
         Connectivity::Corners => (!open & 0xff, open),
     };

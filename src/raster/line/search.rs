@@ -15,7 +15,7 @@ use core::ptr;
 use crate::{
     num::cast::{signed, unsigned},
     span::Steps,
-    target::keep_rolled,
+    tune::keep_rolled,
 };
 
 /// See [`clip`](super::clip). Of columns and of rows: where the line begins and ends, and the window, which is not empty.

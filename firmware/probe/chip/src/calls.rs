@@ -93,13 +93,13 @@ unsafe fn shapes<F: PixelFormat>(a: &Arguments) -> Option<()> {
     let (outline, table) = (a.outline(), a.table());
     frame.clear(color);
     frame.draw_line(a.points[0], a.points[1], color);
-    frame.fill_rectangle(a.corners[0], a.corners[1], color);
-    frame.draw_point(a.corners[2], color);
+    frame.fill_rectangle_fx(a.corners[0], a.corners[1], color);
+    frame.draw_point_fx(a.corners[2], color);
     let view = &mut frame.view(a.area());
-    view.fill_triangle(a.corners, color);
+    view.fill_triangle_fx(a.corners, color);
     triangle::walk(a.corners, view.window(), |span| view.fill_span(span, color));
-    view.fill_polygon(outline, FillRule::NonZero, table, color).ok()?;
-    view.fill_polygon(outline, FillRule::EvenOdd, table, color).ok()
+    view.fill_polygon_fx(outline, FillRule::NonZero, table, color).ok()?;
+    view.fill_polygon_fx(outline, FillRule::EvenOdd, table, color).ok()
 }
 
 unsafe fn round<F: PixelFormat>(a: &Arguments) -> Option<()> {
@@ -109,24 +109,24 @@ unsafe fn round<F: PixelFormat>(a: &Arguments) -> Option<()> {
     let (ring, hole) = (Ellipse::new(at, size.x, size.y), Ellipse::splat(at, inner.x));
     let [start, end] = a.angles.map(Angle::from_bits);
     let sector = Sector::new(start, end);
-    frame.fill_ellipse(ring, color);
-    frame.fill_ellipse(Ellipse::in_box(a.area()), color);
+    frame.fill_ellipse_fx(ring, color);
+    frame.fill_ellipse_fx(Ellipse::in_box(a.area()), color);
     frame.draw_ellipse(a.area(), color);
-    frame.fill_enclosed(a.area(), color);
-    frame.draw_round_point(at, size.x, color);
-    frame.draw_square_point(at, size.x, color);
+    frame.fill_outlined_ellipse(a.area(), color);
+    frame.fill_round_point_fx(at, size.x, color);
+    frame.fill_square_point_fx(at, size.x, color);
     frame.fill_rounded(a.area(), a.radii, color);
     frame.draw_rounded(a.area(), a.radii, color);
     frame.draw_rectangle(a.area(), color);
     frame.draw_polygon(a.points, color);
     frame.draw_arc(a.area(), sector, color);
-    frame.fill_sector(ring, sector, color);
-    frame.fill_ring(ring, hole, color);
-    frame.fill_ring_sector(ring, hole, sector, color);
+    frame.fill_sector_fx(ring, sector, color);
+    frame.fill_ring_fx(ring, hole, color);
+    frame.fill_ring_sector_fx(ring, hole, sector, color);
     let table = slice::from_raw_parts_mut(a.pending, a.pending_len);
     let reach = if a.flag { Connectivity::Corners } else { Connectivity::Sides };
-    frame.flood_fill(a.points[0], reach, color, table);
-    frame.flood_fill_to(a.points[1], F::unpack(a.rows[0].into()), reach, color, table);
+    frame.flood_fill(a.points[0], reach, table, color);
+    frame.flood_fill_to(a.points[1], F::unpack(a.rows[0].into()), reach, table, color);
     Some(())
 }
 
@@ -136,14 +136,14 @@ unsafe fn paths<F: PixelFormat>(a: &Arguments) -> Option<()> {
     let (path, table) = (a.path(), a.table());
     let dashed = a.stroke.dashed(slice::from_raw_parts(a.lengths, a.lengths_len), a.phase);
     let [from, through, to] = a.corners;
-    frame.draw_path(path, color);
-    frame.draw_quadratic(a.corners, color);
-    frame.draw_cubic([from, through, through, to], color);
-    frame.fill_path(path, FillRule::EvenOdd, table, color).ok()?;
-    frame.stroke_path(path, &a.stroke, table, color).ok()?;
-    frame.stroke_path(path, &dashed, table, color).ok()?;
-    frame.stroke_polyline(a.outline(), a.flag, &a.stroke, table, color).ok()?;
-    frame.stroke_line([from, to], &dashed, table, color).ok()
+    frame.draw_path_fx(path, color);
+    frame.draw_quadratic_fx(a.corners, color);
+    frame.draw_cubic_fx([from, through, through, to], color);
+    frame.fill_path_fx(path, FillRule::EvenOdd, table, color).ok()?;
+    frame.stroke_path_fx(path, &a.stroke, table, color).ok()?;
+    frame.stroke_path_fx(path, &dashed, table, color).ok()?;
+    frame.stroke_polyline_fx(a.outline(), a.flag, &a.stroke, table, color).ok()?;
+    frame.stroke_line_fx([from, to], &dashed, table, color).ok()
 }
 
 unsafe fn masks<F: PixelFormat>(a: &Arguments) -> Option<()> {
@@ -152,14 +152,14 @@ unsafe fn masks<F: PixelFormat>(a: &Arguments) -> Option<()> {
     let bytes = slice::from_raw_parts(a.source, a.source_len);
     let off = a.flag.then(|| F::unpack(a.rows[0].into()));
     let mask = Bitmap::<Lsb0<Index1>>::with_stride(bytes, a.rows[0], a.rows[1], a.stride).ok()?;
-    frame.blit_mask(a.points[0], &mask.part(a.area()), color, off);
+    frame.blit_mask(a.points[0], &mask.clipped(a.area()), color, off);
     let mask = Bitmap::<BinaryColor>::with_stride(bytes, a.rows[0], a.rows[1], a.stride).ok()?;
     frame.blit_mask(a.points[1], &mask, color, off);
     Some(())
 }
 
 unsafe fn pictures<F: PixelFormat>(a: &Arguments) -> Option<()> {
-    let (frame, color, source) = (&mut a.frame::<F>()?, F::unpack(a.color), a.source::<F>()?.part(a.area()));
+    let (frame, color, source) = (&mut a.frame::<F>()?, F::unpack(a.color), a.source::<F>()?.clipped(a.area()));
     frame.blit(a.points[0], &source);
     frame.blit_keyed(a.points[1], &source, color);
     frame.move_area(a.area(), a.points[0]);
@@ -230,7 +230,7 @@ pub unsafe extern "C" fn paged(a: &Arguments) -> usize {
     let Ok(mut oled) = Paged::<BinaryColor>::new(bytes, a.size[0], a.size[1]) else { return 0 };
     oled.clear(BinaryColor::Off);
     let mut part = oled.clipped(a.area());
-    part.fill_triangle(a.corners, BinaryColor::On);
+    part.fill_triangle_fx(a.corners, BinaryColor::On);
     part.draw_line(a.points[0], a.points[1], BinaryColor::On);
     part.set(a.points[0], part.get(a.points[1]).unwrap_or(BinaryColor::On));
     oled.page_bytes(a.rows[0]..a.rows[1]).len()

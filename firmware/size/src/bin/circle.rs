@@ -8,5 +8,5 @@ use embedded_raster::{Canvas, Ellipse};
 board::entry!(main);
 
 fn main() {
-    size::on_frame::<Rgb565>(|frame| frame.fill_ellipse(Ellipse::in_box(size::area()), size::color::<Rgb565>()));
+    size::on_frame::<Rgb565>(|frame| frame.fill_ellipse_fx(Ellipse::in_box(size::area()), size::color::<Rgb565>()));
 }

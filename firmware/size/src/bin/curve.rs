@@ -10,6 +10,6 @@ board::entry!(main);
 fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [a, b, c] = size::corners();
-        frame.draw_cubic([a, b, c, b], size::color::<Rgb565>());
+        frame.draw_cubic_fx([a, b, c, b], size::color::<Rgb565>());
     });
 }

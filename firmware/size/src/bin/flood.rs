@@ -10,6 +10,6 @@ board::entry!(main);
 fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [seed, _] = size::points();
-        frame.flood_fill(seed, Connectivity::Sides, size::color::<Rgb565>(), &mut [FloodSlot::EMPTY; 16]);
+        frame.flood_fill(seed, Connectivity::Sides, &mut [FloodSlot::EMPTY; 16], size::color::<Rgb565>());
     });
 }

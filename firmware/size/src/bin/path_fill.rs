@@ -15,7 +15,7 @@ fn main() {
         let outline = black_box([PathSegment::MoveTo(a), PathSegment::CubicTo(b, c, a), PathSegment::Close]);
         // On the stack.
         let mut table = [EdgeSlot::EMPTY; 8];
-        let drawn = frame.fill_path(Path::new(&outline), FillRule::NonZero, &mut table, size::color::<Rgb565>());
+        let drawn = frame.fill_path_fx(Path::new(&outline), FillRule::NonZero, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });
 }

@@ -13,7 +13,7 @@ fn main() {
     size::on_frame::<Rgb565>(|frame| {
         // On the stack: three sides need three slots.
         let mut table = [EdgeSlot::EMPTY; 3];
-        let drawn = frame.fill_polygon(&size::corners(), FillRule::NonZero, &mut table, size::color::<Rgb565>());
+        let drawn = frame.fill_polygon_fx(&size::corners(), FillRule::NonZero, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });
 }

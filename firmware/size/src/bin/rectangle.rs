@@ -10,6 +10,6 @@ board::entry!(main);
 fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let [a, _, b] = size::corners();
-        frame.fill_rectangle(a, b, size::color::<Rgb565>());
+        frame.fill_rectangle_fx(a, b, size::color::<Rgb565>());
     });
 }

@@ -17,7 +17,7 @@ fn main() {
         let PointFx { x, y } = black_box(PointFx::px(6, 3));
         let lengths = [x, y];
         let stroke = black_box(Stroke::px(5)).dashed(&lengths, y);
-        let drawn = frame.stroke_path(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());
+        let drawn = frame.stroke_path_fx(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });
 }

@@ -13,7 +13,7 @@ fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let mut table = [EdgeSlot::EMPTY; 16];
         let stroke = black_box(Stroke::px(5));
-        let drawn = frame.stroke_polyline(&size::corners(), false, &stroke, &mut table, size::color::<Rgb565>());
+        let drawn = frame.stroke_polyline_fx(&size::corners(), false, &stroke, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });
 }

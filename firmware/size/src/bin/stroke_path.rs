@@ -15,7 +15,7 @@ fn main() {
         let outline = black_box([PathSegment::MoveTo(a), PathSegment::QuadraticTo(b, c)]);
         let mut table = [EdgeSlot::EMPTY; 32];
         let stroke = black_box(Stroke::px(5));
-        let drawn = frame.stroke_path(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());
+        let drawn = frame.stroke_path_fx(Path::new(&outline), &stroke, &mut table, size::color::<Rgb565>());
         let _ = black_box(drawn.is_ok());
     });
 }

@@ -8,5 +8,5 @@ use embedded_raster::Canvas;
 board::entry!(main);
 
 fn main() {
-    size::on_frame::<Rgb565>(|frame| frame.fill_triangle(size::corners(), size::color::<Rgb565>()));
+    size::on_frame::<Rgb565>(|frame| frame.fill_triangle_fx(size::corners(), size::color::<Rgb565>()));
 }

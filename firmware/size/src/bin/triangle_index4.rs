@@ -7,5 +7,5 @@ use embedded_raster::{Canvas, Index4};
 board::entry!(main);
 
 fn main() {
-    size::on_frame::<Index4>(|frame| frame.fill_triangle(size::corners(), size::color::<Index4>()));
+    size::on_frame::<Index4>(|frame| frame.fill_triangle_fx(size::corners(), size::color::<Index4>()));
 }

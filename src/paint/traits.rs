@@ -1,0 +1,63 @@
+//! [`Paint`]: what happens to the pixels of a shape.
+
+use crate::{
+    span::{ClippedSpan, Octants, Rect, Span, Steps},
+    surface::Surface,
+};
+
+/// What happens to the pixels of a shape on surfaces of the type `S`.
+///
+/// The methods are those of a [`Sink`](crate::Sink), with a surface to draw on; all but [`span`](Self::span) are shortcuts.
+/// What is said lies in the window of the surface.
+///
+/// A paint is passed by value; one that shall remember something is passed as `&mut`.
+pub trait Paint<S: Surface + ?Sized> {
+    /// Paints pixels of one row.
+    fn span(&mut self, on: &mut S, span: ClippedSpan);
+
+    /// Paints a rectangle. By default, row by row.
+    #[inline]
+    fn area(&mut self, on: &mut S, area: Rect) {
+        let Rect { x0, y0, x1, y1 } = area;
+        for y in y0..y1 {
+            if let Some(span) = (Span { y, x0, x1 }).known_inside() {
+                self.span(on, span);
+            }
+        }
+    }
+
+    /// Paints a line one pixel wide. By default, row by row.
+    #[inline]
+    fn steps(&mut self, on: &mut S, steps: Steps) {
+        steps.spans(|span| self.span(on, span));
+    }
+
+    /// Paints the outline of a circle, if it can do that as a whole; else says `false`, and is given the spans.
+    #[inline]
+    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
+        let _ = (on, octants);
+        false
+    }
+}
+
+impl<S: Surface + ?Sized, P: Paint<S> + ?Sized> Paint<S> for &mut P {
+    #[inline(always)]
+    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+        (**self).span(on, span);
+    }
+
+    #[inline(always)]
+    fn area(&mut self, on: &mut S, area: Rect) {
+        (**self).area(on, area);
+    }
+
+    #[inline(always)]
+    fn steps(&mut self, on: &mut S, steps: Steps) {
+        (**self).steps(on, steps);
+    }
+
+    #[inline(always)]
+    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
+        (**self).octants(on, octants)
+    }
+}

@@ -1,0 +1,99 @@
+//! [`EdgeSlot`]: a side on its way down the rows, in a table that the caller owns.
+
+use core::cell::Cell;
+
+use crate::{
+    geom::{bits, PointFx},
+    num::stepper::Stepper,
+    raster::slope::Slope,
+};
+
+/// No edge: the end of a list.
+pub(super) const END: u16 = u16::MAX;
+
+/// One slot of an edge table: a side on its way down the rows. See [`polygon::fill`](crate::raster::polygon::fill).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EdgeSlot {
+    /// `value` is the first pixel right of the edge on the row it stands on.
+    pub(super) crossing: Cell<Stepper>,
+    /// The first row it crosses, then [`ACTIVE`].
+    pub(super) y: Cell<i32>,
+    /// Four times the row after its last, and in the two lowest bits the winding: 1 down, -1 up. Rows of places are below
+    /// 2^24.
+    end: i32,
+    /// The next edge of a list.
+    pub(super) link: Cell<u16>,
+    /// The first edge of a bucket, for sorting: slot k stands for bucket k too, whatever edge it holds.
+    pub(super) bucket: Cell<u16>,
+}
+
+/// The row of all edges that are on their way: they are sorted by their crossings alone.
+pub(super) const ACTIVE: i32 = i32::MIN;
+
+impl EdgeSlot {
+    /// An empty slot, to make a table of.
+    /// ```
+    /// use embedded_raster::EdgeSlot;
+    /// use static_cell::ConstStaticCell;
+    /// static TABLE: ConstStaticCell<[EdgeSlot; 64]> = ConstStaticCell::new([EdgeSlot::EMPTY; 64]);
+    /// let table: &'static mut [EdgeSlot; 64] = TABLE.take();
+    /// assert_eq!(size_of_val(table), 64 * 32);
+    /// ```
+    #[expect(clippy::declare_interior_mutable_const, reason = "it is copied into every slot")]
+    pub const EMPTY: Self = Self {
+        crossing: Cell::new(Stepper::still(0)),
+        y: Cell::new(0),
+        end: 0,
+        link: Cell::new(0),
+        bucket: Cell::new(0),
+    };
+
+    /// Puts the side from a to b into this slot, as it stands on the first of the rows `y..end`, which it crosses; `down` if
+    /// that is where b lies.
+    #[inline(always)]
+    pub(super) fn put(&mut self, a: PointFx, b: PointFx, (y, end): (i32, i32), down: bool) {
+        let Some(slope) = Slope::either_way(bits(a), bits(b), down) else { return };
+        // Two stores: of one, the smaller side's numbers would go by way of the stack.
+        if slope.is_small() {
+            self.crossing.set(slope.small_at(y, end.wrapping_sub(y)));
+        } else {
+            self.crossing.set(slope.any_at(y));
+        }
+        self.y.set(y);
+        self.end = end.wrapping_mul(4) | if down { 1 } else { 3 };
+        self.bucket.set(END);
+    }
+
+    /// The first pixel right of it.
+    #[inline(always)]
+    pub(super) fn x(&self) -> i32 {
+        self.crossing.get().value
+    }
+
+    /// The row after its last.
+    #[inline(always)]
+    pub(super) fn end(&self) -> i32 {
+        self.end >> 2
+    }
+
+    /// To the next row, and the first pixel right of it there.
+    #[inline(always)]
+    pub(super) fn step(&self) -> i32 {
+        let mut crossing = self.crossing.get();
+        crossing.step();
+        self.crossing.set(crossing);
+        crossing.value
+    }
+
+    /// What lists are sorted by.
+    #[inline(always)]
+    pub(super) fn order(&self) -> (i32, i32) {
+        (self.y.get(), self.x())
+    }
+
+    /// +1 when the contour goes down along it, -1 when up.
+    #[inline(always)]
+    pub(super) fn winding(&self) -> i32 {
+        self.end << 30 >> 30
+    }
+}

@@ -1,0 +1,81 @@
+//! Lists of edges: places in a table, joined by [`EdgeSlot::link`]. Edges are linked anew, never moved.
+//!
+//! The order is by row, then by crossing. Sorting is a merge of natural runs: `n log n` at the worst, and one look at each
+//! edge where there is nothing to do. A list is made at its end, which is a link: the first one or that of an edge.
+//!
+//! Source: D. E. Knuth, "The Art of Computer Programming" 3, section 5.2.4, algorithm L and exercise 12.
+
+use core::{cell::Cell, mem::replace};
+
+use super::edge::{EdgeSlot, END};
+use crate::tune::COMPACT;
+
+/// Sorting merges runs in pairs, pairs in pairs of pairs: enough levels for 2^16.
+const LEVELS: usize = 17;
+
+/// The edge at a place; `None` at the end of a list.
+#[inline(always)]
+pub(super) fn get(table: &[EdgeSlot], place: u16) -> Option<&EdgeSlot> {
+    table.get(usize::from(place))
+}
+
+/// Merges two sorted lists: the edges of the second one are linked into the first.
+#[inline(never)]
+pub(super) fn merge(table: &[EdgeSlot], a: u16, mut b: u16) -> u16 {
+    let first = Cell::new(a);
+    let mut end = &first;
+    while let Some(edge) = get(table, b) {
+        let order = edge.order();
+        while let Some(left) = get(table, end.get()).filter(|left| left.order() <= order) {
+            end = &left.link;
+        }
+        b = edge.link.replace(end.replace(b));
+        end = &edge.link;
+    }
+    first.get()
+}
+
+/// Sorts a list.
+#[inline(never)]
+pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
+    let (mut run, mut rest) = take_run(table, list);
+    if rest == END {
+        return run;
+    }
+    let mut levels = [END; LEVELS];
+    while run != END {
+        for level in &mut levels {
+            if *level == END {
+                *level = run;
+                break;
+            }
+            run = merge(table, replace(level, END), run);
+        }
+        (run, rest) = take_run(table, rest);
+    }
+    // `merge` takes empty lists too, but most levels are empty.
+    levels.into_iter().filter(|&level| COMPACT || level != END).fold(END, |list, level| merge(table, level, list))
+}
+
+/// Cuts the edges that go up or that go down from the front of a list: the run, sorted, and the rest.
+#[inline(always)]
+fn take_run(table: &[EdgeSlot], list: u16) -> (u16, u16) {
+    let Some(mut last) = get(table, list) else { return (END, END) };
+    let (mut first, mut low) = (list, last);
+    let mut rest = last.link.get();
+    while let Some(edge) = get(table, rest) {
+        let next = edge.link.get();
+        if edge.order() >= last.order() {
+            last.link.set(rest);
+            last = edge;
+        } else if edge.order() < low.order() {
+            edge.link.set(first);
+            (first, low) = (rest, edge);
+        } else {
+            break;
+        }
+        rest = next;
+    }
+    last.link.set(END);
+    (first, rest)
+}

@@ -1,0 +1,354 @@
+//! Filled polygons: any number of contours, concave, with holes, crossing themselves.
+//!
+//! The scan-line algorithm: the sides *wait*, sorted by their first row; on each row those that cross it are *active*,
+//! sorted by where; between them the fill rule says what is inside. Crossings move by quotient and remainder
+//! ([`EdgeSlot`]), so they are exact on every row. Both orders are lists through the slots of the table: an edge that joins,
+//! ends or is overtaken is linked anew, and none is ever moved.
+//! ```text
+//!   waiting, by first row   e -> e -> e -> e ...          the first one joins when its row comes
+//!   active, by crossing     e ---> e -> e ---> e
+//!                           |      |    |      |
+//!   row                 ....[======]....[======]....
+//! ```
+//! The table is the caller's. When the sides that cross a band of rows are more than it holds, the fill goes on with fewer rows,
+//! in proportion; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
+//!
+//! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
+//! their first rows are spread evenly; per row the active sides, and `k log k` for k of them that were overtaken.
+//!
+//! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
+
+use core::{
+    borrow::Borrow,
+    cell::Cell,
+    mem::{replace, swap},
+    num::NonZeroU32,
+};
+
+mod edge;
+mod list;
+
+pub use self::edge::EdgeSlot;
+use self::{
+    edge::{ACTIVE, END},
+    list::{get, merge, sort},
+};
+use crate::{
+    error::EdgeTableFull,
+    geom::{bits, PointFx},
+    num::{
+        cast::{index, index_u16, signed, unsigned},
+        round::first_centre_from,
+    },
+    span::{Rect, Sink, Span},
+    tune::{keep_rolled, COMPACT},
+};
+
+use crate::geom::polygon::FillRule;
+
+/// Emits the spans of a filled polygon that lie in `window`, top row first and each row from left to right.
+///
+/// * `contours`: closed outlines, the last vertex joined to the first; any coordinates, any order. It is iterated several
+///   times: pass something cheap to clone, such as `[&outline[..]]` or an iterator over the rings of a map.
+/// * `table`: scratch memory. Sides that touch no row of the window take no slot, so a low window needs a small table.
+///
+/// # Errors
+/// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
+/// ```
+/// use embedded_raster::{raster::polygon, ClippedSpan, EdgeSlot, FillRule, PointFx, Rect};
+/// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
+/// let hole = [(2, 1), (4, 1), (4, 3), (2, 3)].map(|(x, y)| PointFx::px(x, y));
+/// let mut spans = vec![];
+/// let mut table = [EdgeSlot::EMPTY; 4];
+/// polygon::fill([outer, hole], FillRule::EvenOdd, &mut table, Rect::new(0, 0, 9, 9), |s: ClippedSpan| spans.push((s.x0(), s.x1())))?;
+/// assert_eq!(spans, [(0, 6), (0, 2), (4, 6), (0, 2), (4, 6), (0, 6)]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
+pub fn fill<C>(
+    contours: C,
+    rule: FillRule,
+    table: &mut [EdgeSlot],
+    window: Rect,
+    mut sink: impl Sink,
+) -> Result<(), EdgeTableFull>
+where
+    C: IntoIterator + Clone,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    if window.is_empty() {
+        return Ok(());
+    }
+    // Places in the table are 16 bits; the last one means "none".
+    let slots = table.len().min(usize::from(END));
+    let Some(table) = table.get_mut(..slots) else { return Ok(()) };
+    let whole = load(contours.clone(), window.y0, window.y1, table);
+    if whole.count <= table.len() {
+        scan(table, &whole, rule, window, &mut sink);
+        return Ok(());
+    }
+    // Too many for one pass. First try all the bands, then paint them.
+    for paint in [false, true] {
+        let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
+        let mut count = whole.count;
+        while y < whole.end {
+            rows = shared(rows, table.len(), count);
+            let end = y.saturating_add(rows).min(whole.end);
+            let band = load(contours.clone(), y, end, table);
+            (rows, count) = (end.wrapping_sub(y), band.count);
+            if count > table.len() {
+                if rows == 1 {
+                    return Err(EdgeTableFull { capacity: table.len(), needed: count, row: y });
+                }
+                continue;
+            }
+            if paint {
+                scan(table, &band, rule, window, &mut sink);
+            }
+            y = end;
+        }
+    }
+    Ok(())
+}
+
+/// A box that encloses the pixels of a polygon: those with a centre between the outermost coordinates of its vertices.
+/// ```
+/// use embedded_raster::{raster::polygon, PointFx, Rect};
+/// let kite = [(3, 0), (6, 2), (3, 9), (0, 2)].map(|(x, y)| PointFx::px(x, y));
+/// assert_eq!(polygon::extent([kite]), Rect::new(0, 0, 6, 9));
+/// ```
+pub fn extent<C>(contours: C) -> Rect
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
+    for vertex in contours.into_iter().flatten() {
+        let (x, y) = bits(*vertex.borrow());
+        low = (low.0.min(x), low.1.min(y));
+        high = (high.0.max(x), high.1.max(y));
+    }
+    if low.0 > high.0 {
+        return Rect::default();
+    }
+    let pixel = first_centre_from;
+    Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
+}
+
+/// How many rows may have 3/4 of `capacity` sides, when `rows` have `count`.
+fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
+    let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+    let Some(count) = NonZeroU32::new(count) else { return rows };
+    // Below 2^15 times 2^16.
+    let share = unsigned(rows.min(0x7fff)).wrapping_mul(capacity.wrapping_sub(capacity >> 2)) / count;
+    signed(share).max(1)
+}
+
+/// What [`load`] found: sides that cross the band, and the rows that they cross there.
+struct Loaded {
+    count: usize,
+    first: i32,
+    end: i32,
+}
+
+/// Fills the table with the sides that cross rows `top..bottom`; goes on counting when it is full.
+fn load<C>(contours: C, top: i32, bottom: i32, table: &mut [EdgeSlot]) -> Loaded
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let mut loaded = Loaded { count: 0, first: bottom, end: top };
+    let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
+        let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
+        if y >= end {
+            return;
+        }
+        loaded.first = loaded.first.min(y);
+        loaded.end = loaded.end.max(end);
+        if let Some(slot) = table.get_mut(loaded.count) {
+            slot.put(a, b, (y, end), ay < by);
+        }
+        loaded.count = loaded.count.wrapping_add(1);
+    };
+    for contour in contours {
+        let mut vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
+        let Some(first) = vertices.next() else { continue };
+        let mut last = first;
+        for vertex in vertices {
+            add(last, vertex);
+            last = vertex;
+        }
+        add(last, first);
+    }
+    loaded
+}
+
+/// The edges whose first row is still to come, in buckets of `2^shift` rows.
+///
+/// Bucket k is a list that starts in slot k of the table, `EdgeSlot::bucket`: there are no more buckets than edges. One bucket
+/// at a time is sorted. Where the rows are as many as the edges, there is little left to sort.
+struct Waiting {
+    /// The next edges, sorted.
+    list: u16,
+    /// The first row of the next edge; `i32::MAX` if there is none.
+    row: i32,
+    /// The first bucket after those of the list.
+    bucket: usize,
+}
+
+impl Waiting {
+    fn new(table: &[EdgeSlot], loaded: &Loaded) -> Self {
+        let mut waiting = Self { list: END, row: i32::MAX, bucket: 0 };
+        let rows = unsigned(loaded.end.wrapping_sub(loaded.first));
+        // In a small image there is one bucket.
+        let mut shift = if COMPACT { 31 } else { 0 };
+        while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
+            shift = shift.wrapping_add(1);
+            keep_rolled();
+        }
+        let mut place = 0;
+        for edge in table {
+            let bucket = index(edge.y.get().wrapping_sub(loaded.first)).wrapping_shr(shift);
+            if let Some(slot) = table.get(bucket) {
+                edge.link.set(slot.bucket.replace(place));
+            }
+            place = index_u16(usize::from(place).wrapping_add(1));
+        }
+        waiting.refill(table);
+        waiting
+    }
+
+    /// Sorts the next bucket that is not empty.
+    fn refill(&mut self, table: &[EdgeSlot]) {
+        (self.list, self.row) = (END, i32::MAX);
+        while let Some(slot) = table.get(self.bucket) {
+            self.bucket = self.bucket.wrapping_add(1);
+            let list = slot.bucket.get();
+            if let Some(edge) = get(table, list) {
+                self.list = if edge.link.get() == END { list } else { sort(table, list) };
+                self.row = get(table, self.list).map_or(i32::MAX, |edge| edge.y.get());
+                return;
+            }
+            keep_rolled();
+        }
+    }
+
+    /// Cuts off the edges of the next row.
+    fn take(&mut self, table: &[EdgeSlot]) -> u16 {
+        let list = self.list;
+        let Some(mut last) = get(table, list) else { return END };
+        loop {
+            last.y.set(ACTIVE);
+            self.list = last.link.get();
+            let Some(edge) = get(table, self.list) else {
+                self.refill(table);
+                return list;
+            };
+            let row = edge.y.get();
+            if row != self.row {
+                self.row = row;
+                last.link.set(END);
+                return list;
+            }
+            last = edge;
+        }
+    }
+}
+
+/// Paints the band whose sides were loaded.
+///
+/// While only two edges are active, down to where one ends or another joins, a round of the outer loop is many rows: what
+/// two edges of closed contours enclose is inside by either rule, as one goes up and one goes down.
+fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink: &mut impl Sink) {
+    let Some(table) = table.get(..loaded.count) else { return };
+    let mut waiting = Waiting::new(table, loaded);
+    let (mut active, mut y) = (END, waiting.row);
+    loop {
+        let joining = if waiting.row == y { waiting.take(table) } else { END };
+        active = descend(table, active, joining, y);
+        if active == END {
+            if waiting.row == i32::MAX {
+                return;
+            }
+            y = waiting.row;
+            continue;
+        }
+        let end = if COMPACT { y.wrapping_add(1) } else { last_of_two(table, active, y, waiting.row) };
+        let mut at = usize::from(active);
+        while let Some((mut left, mut right)) = next_pair(table, &mut at, rule) {
+            let mut row = y;
+            loop {
+                if let Some(span) = (Span { y: row, x0: left.x(), x1: right.x() }).clip_columns(window) {
+                    sink.span(span);
+                }
+                row = row.wrapping_add(1);
+                if row >= end {
+                    break;
+                }
+                left.step();
+                right.step();
+                if left.x() > right.x() {
+                    // They crossed, and change places.
+                    right.link.set(replace(&mut active, left.link.replace(END)));
+                    swap(&mut left, &mut right);
+                }
+            }
+        }
+        y = end;
+    }
+}
+
+/// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them.
+#[inline(always)]
+fn next_pair<'a>(table: &'a [EdgeSlot], at: &mut usize, rule: FillRule) -> Option<(&'a EdgeSlot, &'a EdgeSlot)> {
+    let left = table.get(*at)?;
+    let (mut right, mut winding) = (left, left.winding());
+    *at = usize::from(left.link.get());
+    while let Some(edge) = table.get(*at) {
+        winding = winding.wrapping_add(edge.winding());
+        right = edge;
+        *at = usize::from(edge.link.get());
+        if winding & rule.mask() == 0 {
+            break;
+        }
+    }
+    Some((left, right))
+}
+
+/// The row after the last one on which the first two edges of a list are the only ones, from row y on.
+#[inline(always)]
+fn last_of_two(table: &[EdgeSlot], list: u16, y: i32, row: i32) -> i32 {
+    let Some(left) = get(table, list) else { return y };
+    match get(table, left.link.get()) {
+        Some(right) if right.link.get() == END => row.min(left.end()).min(right.end()),
+        _ => y.wrapping_add(1),
+    }
+}
+
+/// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
+#[inline(always)]
+fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
+    let (list, mut overtaken) = (Cell::new(active), END);
+    let (mut end, mut last) = (&list, i32::MIN);
+    while let Some(edge) = get(table, end.get()) {
+        if edge.end() <= y {
+            end.set(edge.link.get());
+            continue;
+        }
+        let x = edge.step();
+        if x < last {
+            overtaken = end.replace(edge.link.replace(overtaken));
+            continue;
+        }
+        last = x;
+        end = &edge.link;
+    }
+    let list = if !COMPACT && joining == END { list.get() } else { merge(table, list.get(), joining) };
+    if overtaken == END {
+        return list;
+    }
+    merge(table, list, sort(table, overtaken))
+}

@@ -1,0 +1,167 @@
+//! Arcs, sectors and rings: what of an ellipse lies between two directions, or outside of another.
+//!
+//! A [`Sector`] goes clockwise from one [`Angle`] to another. Each angle stands for the direction vector
+//! `d = (cos, sin)` that [`Angle::cos_sin`] gives in whole numbers, and a pixel belongs to the sector when its centre
+//! p = (u, v), seen from the centre of the shape, lies at or after the first direction and before the second:
+//! ```text
+//!   p is less than half a turn after d:    d.x v - d.y u > 0,  or = 0 and d.x u + d.y v > 0
+//! ```
+//! exactly, in 64 bits. A centre on the first ray is in and one on the second ray is out; the centre of the shape itself
+//! counts as a little to its right and, much less, below. So sectors that follow each other round draw every pixel of the
+//! ellipse once. For ellipses these are the directions on the screen, not the parameter of the ellipse.
+//!
+//! - An **arc** has the pixels of the full [outline](super::ellipse::outline) that lie in the sector.
+//! - A filled **sector** has the pixels of the filled ellipse that do.
+//! - A **ring** has the pixels of an ellipse that are not pixels of another one.
+//!
+//! On a row a direction changes at most once from after to before: the place is found by bisection.
+//!
+//! Range: any ellipse, any angles.
+
+use super::{
+    curve::{Curve, Ellipse},
+    ellipse,
+    form::AnyRows,
+};
+use crate::{
+    geom::Angle,
+    num::cast::{signed, unsigned},
+    span::{ClippedSpan, Rect, Sink, Span},
+};
+
+/// The directions from one angle on, clockwise, to before another.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Sector {
+    from: (i32, i32),
+    to: (i32, i32),
+    /// More than half a turn.
+    wide: bool,
+    empty: bool,
+}
+
+impl Sector {
+    /// From `start` on, before `end`, clockwise. From an angle to itself is nothing.
+    /// ```
+    /// use embedded_raster::{geom::Angle, raster::arc::Sector};
+    /// let lower_right = Sector::new(Angle::degrees(0), Angle::degrees(90));
+    /// assert!(lower_right.contains(3, 2) && lower_right.contains(3, 0) && !lower_right.contains(0, 3));
+    /// ```
+    pub fn new(start: Angle, end: Angle) -> Self {
+        let turn = start.clockwise_to(end);
+        Self { from: start.cos_sin(), to: end.cos_sin(), wide: turn > 1 << 31, empty: turn == 0 }
+    }
+
+    /// Whether a place lies in it, as seen from the centre, for distances below `2^32`.
+    pub fn contains(&self, u: i64, v: i64) -> bool {
+        let (after, before) = (is_after(self.from, u, v), !is_after(self.to, u, v));
+        !self.empty && if self.wide { after || before } else { after && before }
+    }
+}
+
+/// Less than half a turn after a direction, or in it.
+fn is_after((x, y): (i32, i32), u: i64, v: i64) -> bool {
+    let (x, y) = (i64::from(x), i64::from(y));
+    // The centre counts as (1, 0) and a little below.
+    let (u, nudge) = if u == 0 && v == 0 { (1, y == 0 && x > 0) } else { (u, false) };
+    let cross = x.wrapping_mul(v).wrapping_sub(y.wrapping_mul(u));
+    let dot_is_positive = || x.wrapping_mul(u).wrapping_add(y.wrapping_mul(v)) > 0;
+    cross > 0 || nudge || cross == 0 && dot_is_positive()
+}
+
+/// Emits the pixels of the outline of the ellipse in a box that lie in a sector and in `window`, top row first.
+/// ```
+/// use embedded_raster::{geom::Angle, raster::arc::{self, Sector}, ClippedSpan, Rect};
+/// let quarter = Sector::new(Angle::degrees(180), Angle::degrees(270));
+/// let mut spans = vec![];
+/// arc::outline(Rect::new(0, 0, 9, 9), quarter, Rect::new(0, 0, 64, 48), |s: ClippedSpan| spans.push((s.y(), s.x0(), s.x1())));
+/// assert_eq!(spans, [(0, 3, 4), (1, 1, 3), (2, 1, 2), (3, 0, 1), (4, 0, 1)]);
+/// ```
+pub fn outline(area: Rect, sector: Sector, window: Rect, mut sink: impl Sink) {
+    let curve = Ellipse::in_box(area).curve();
+    ellipse::outline(area, window, |span: ClippedSpan| split(&curve, &sector, span, &mut sink));
+}
+
+/// Emits the spans of a sector of a filled ellipse (a slice of a pie) that lie in `window`, top row first.
+pub fn fill(ellipse: Ellipse, sector: Sector, window: Rect, mut sink: impl Sink) {
+    let curve = ellipse.curve();
+    ellipse::fill(ellipse, window, |span: ClippedSpan| split(&curve, &sector, span, &mut sink));
+}
+
+/// Emits the spans of the pixels of `outer` that are not pixels of `inner`, top row first.
+///
+/// With the same centre that is a ring of even width; it and the inner ellipse together are the outer one.
+/// ```
+/// use embedded_raster::{raster::arc, ClippedSpan, Ellipse, Rect};
+/// let (outer, inner) = (Rect::new(0, 0, 7, 7), Rect::new(2, 2, 5, 5));
+/// let mut widths = vec![];
+/// arc::ring(Ellipse::in_box(outer), Ellipse::in_box(inner), outer, |s: ClippedSpan| widths.push(s.len()));
+/// assert_eq!(widths, [3, 5, 2, 2, 2, 2, 2, 2, 5, 3]);
+/// ```
+pub fn ring(outer: Ellipse, inner: Ellipse, window: Rect, mut sink: impl Sink) {
+    let hole = inner.extent().intersection(window);
+    let mut rows = if hole.is_empty() { None } else { Some((hole.y0, AnyRows::new(&inner, hole))) };
+    ellipse::fill(outer, window, |span: ClippedSpan| {
+        let y = span.y();
+        let mut ends = None;
+        if let Some((next, rows)) = rows.as_mut().filter(|_| hole.y0 <= y && y < hole.y1) {
+            while *next <= y {
+                ends = Some(rows.row());
+                *next = next.wrapping_add(1);
+            }
+        }
+        let (x0, x1) = ends.filter(|(x0, x1)| x0 < x1).unwrap_or((span.x1(), span.x1()));
+        let part = |x0: i32, x1: i32| Span { y, x0, x1 }.clip(window);
+        if let Some(left) = part(span.x0(), span.x1().min(x0)) {
+            sink.span(left);
+        }
+        if let Some(right) = part(span.x0().max(x1), span.x1()) {
+            sink.span(right);
+        }
+    });
+}
+
+/// Emits the spans of a sector of a ring, top row first. The sector's centre is that of `outer`.
+pub fn ring_sector(outer: Ellipse, inner: Ellipse, sector: Sector, window: Rect, mut sink: impl Sink) {
+    let curve = outer.curve();
+    ring(outer, inner, window, |span: ClippedSpan| split(&curve, &sector, span, &mut sink));
+}
+
+/// Emits the parts of a span that lie in a sector: two at most.
+fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink) {
+    let (x0, x1, y) = (span.x0(), span.x1(), span.y());
+    let v = curve.v(y);
+    let change = |direction: (i32, i32)| {
+        let at_start = is_after(direction, curve.u(x0), v);
+        // The first pixel that is not like the first one.
+        let (mut low, mut high) = (x0, x1);
+        while low < high {
+            let middle = low.wrapping_add(span_half(low, high));
+            if is_after(direction, curve.u(middle), v) == at_start {
+                low = middle.wrapping_add(1);
+            } else {
+                high = middle;
+            }
+        }
+        low
+    };
+    // In most spans nothing changes: the last pixel tells.
+    let last = x1.wrapping_sub(1);
+    let same = |d| is_after(d, curve.u(x0), v) == is_after(d, curve.u(last), v);
+    let place = |d| if same(d) { x1 } else { change(d) };
+    let (a, b) = (place(sector.from), place(sector.to));
+    let window = Rect { x0, y0: y, x1, y1: y.wrapping_add(1) };
+    let mut start = x0;
+    for end in [a.min(b), a.max(b), x1] {
+        if start < end && sector.contains(curve.u(start), v) {
+            if let Some(part) = (Span { y, x0: start, x1: end }).clip_columns(window) {
+                sink.span(part);
+            }
+        }
+        start = end;
+    }
+}
+
+/// Half the way between two pixels, below it by no more than a half.
+fn span_half(low: i32, high: i32) -> i32 {
+    signed(unsigned(high.wrapping_sub(low)) >> 1)
+}

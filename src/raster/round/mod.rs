@@ -1,0 +1,10 @@
+//! Round shapes: ellipses, arcs, rounded rectangles.
+
+pub mod arc;
+pub mod ellipse;
+pub mod rounded;
+
+mod curve;
+mod disc;
+mod form;
+mod outline;

@@ -1,0 +1,281 @@
+//! Strokes with gaps.
+//!
+//! ```text
+//!    lengths  [ 6 | 3 | 2 | 3 ]      on, off, on, off, and from the start again
+//!
+//!    a ======   ==   ======   ==   =====     a dash goes on around a corner, and has two ends with caps
+//!      |<phase>|                        =    the pattern starts `phase` before the contour does
+//! ```
+//! **The rule.** The pattern runs along each contour from its start, in units of 2^-16 pixel: a side is as long as
+//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super::stroke). The place at a distance s from the start of a side with the
+//! direction u is `a + u s`, rounded to the nearest unit; between two such places, or the ends of the side, a dash is a side of
+//! the same direction. A pattern of odd length counts twice, its second time with on and off exchanged. Negative lengths count as 0. A
+//! pattern shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a dot for round caps, and a square for square ones.
+//!
+//! **Work.** Dashes beside the window are skipped by the period, but every side of the path is measured; curves have at most
+//! 32,768.
+
+use core::num::NonZeroU32;
+
+use fixed::types::I24F8;
+
+use super::{
+    direction::Direction,
+    pen::{Cut, Event, Pen, Start},
+    style::Stroke,
+};
+use crate::{
+    geom::{bits, PointFx, View},
+    num::{
+        cast::{low_u32, magnitude, saturate},
+        round::{difference, div_rem_wide},
+        wide::times,
+    },
+};
+
+/// Lengths on and off in turn, in pixels, and how far into them a contour starts.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Dash<'a> {
+    lengths: &'a [I24F8],
+    phase: I24F8,
+}
+
+impl Stroke {
+    /// With gaps: lengths on and off in turn, of which `phase` lies before the start of each contour.
+    /// ```
+    /// use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Framebuffer, Index1, Stroke, PointFx};
+    /// use fixed::types::I24F8;
+    /// let mut ram = [0; buffer_bytes::<Index1>(16, 3)];
+    /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 3)?;
+    /// let lengths = [4, 2].map(I24F8::from_num);
+    /// let line = [0, 16].map(|x| PointFx::from_bits(256 * x, 384));
+    /// let stroke = Stroke::px(1).dashed(&lengths, I24F8::ONE);
+    /// frame.stroke_line_fx(line, &stroke, &mut [EdgeSlot::EMPTY; 16], Index1::MAX)?;
+    /// assert_eq!(ram, [0, 0, 0b1110_0111, 0b1001_1110, 0, 0]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    pub const fn dashed(self, lengths: &[I24F8], phase: I24F8) -> Stroke<Dash<'_>> {
+        let Self { width, cap, join, miter_limit, dash: () } = self;
+        Stroke { width, cap, join, miter_limit, dash: Dash { lengths, phase } }
+    }
+}
+
+impl Cut for Dash<'_> {
+    const LENGTH_MATTERS: bool = true;
+
+    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, pen: Pen) -> impl Iterator<Item = Event> + Clone {
+        let view = pen.view;
+        let pattern = Pattern::new(self.lengths, pen.width);
+        let at = pattern.map(|pattern| pattern.start(self.phase));
+        Cutter { sides, view, pattern, start: at, at: at.unwrap_or_default(), side: None, stop: false }
+    }
+}
+
+/// Lengths, in units of 2^-16 pixel from here on.
+#[derive(Copy, Clone, Debug)]
+struct Pattern<'a> {
+    lengths: &'a [I24F8],
+    /// With those of the second time, if there is one.
+    count: usize,
+    period: u64,
+}
+
+/// A place in a pattern.
+#[derive(Copy, Clone, Debug, Default)]
+struct Place {
+    index: usize,
+    /// How much of this length lies ahead.
+    left: u64,
+}
+
+impl Place {
+    const fn is_on(self) -> bool {
+        self.index & 1 == 0
+    }
+}
+
+impl<'a> Pattern<'a> {
+    /// The least period of narrow strokes: 1/16 pixel.
+    const LEAST: u64 = 1 << 12;
+
+    /// `None` if it is solid.
+    fn new(lengths: &'a [I24F8], width: u32) -> Option<Self> {
+        let least = Self::LEAST.max(u64::from(width) << 2);
+        let sum = lengths.iter().fold(0, |sum: u64, &length| sum.saturating_add(units(length)));
+        let times = lengths.len() & 1;
+        let (count, period) = (lengths.len() << times, sum << times);
+        (least..1 << 56).contains(&period).then_some(Self { lengths, count, period })
+    }
+
+    fn length(&self, index: usize) -> u64 {
+        let again = index.wrapping_sub(self.lengths.len());
+        self.lengths.get(index).or_else(|| self.lengths.get(again)).map_or(0, |&length| units(length))
+    }
+
+    fn start(&self, phase: I24F8) -> Place {
+        let rest = self.rest(u64::from(phase.to_bits().unsigned_abs()) << 8);
+        let back = phase < I24F8::ZERO && rest > 0;
+        let mut at = Place { index: 0, left: self.length(0) };
+        self.advance(&mut at, if back { self.period.wrapping_sub(rest) } else { rest });
+        at
+    }
+
+    /// A distance below 2^42, less all whole periods.
+    fn rest(&self, distance: u64) -> u64 {
+        let short = NonZeroU32::new(low_u32(self.period)).filter(|_| self.period >> 32 == 0);
+        let Some(period) = short else {
+            // Not more often than 2^10 times.
+            let mut rest = distance;
+            while rest >= self.period {
+                rest = rest.wrapping_sub(self.period);
+            }
+            return rest;
+        };
+        u64::from(div_rem_wide(distance, period).1)
+    }
+
+    /// On by a distance of at most one period.
+    fn advance(&self, at: &mut Place, mut distance: u64) {
+        while distance > 0 && distance >= at.left {
+            distance = distance.wrapping_sub(at.left);
+            self.next(at);
+        }
+        at.left = at.left.wrapping_sub(distance);
+    }
+
+    fn next(&self, at: &mut Place) {
+        let index = at.index.wrapping_add(1);
+        at.index = if index < self.count { index } else { 0 };
+        at.left = self.length(at.index);
+    }
+}
+
+fn units(length: I24F8) -> u64 {
+    magnitude(i64::from(length.to_bits().max(0))) << 8
+}
+
+/// A side that is being cut, from `s` on.
+#[derive(Copy, Clone, Debug)]
+struct Side {
+    a: PointFx,
+    b: PointFx,
+    u: Direction,
+    start: Start,
+    length: u64,
+    s: u64,
+}
+
+impl Side {
+    fn at(&self, s: u64) -> PointFx {
+        if s == self.length {
+            return self.b;
+        }
+        let along = |from: i32, u: i32| {
+            let (high, _) = times((i64::from(low_u32(s >> 32)), low_u32(s)), u.unsigned_abs());
+            let distance = high.wrapping_add(1 << 5) >> 6;
+            saturate(i64::from(from).wrapping_add(if u < 0 { distance.wrapping_neg() } else { distance }))
+        };
+        let (x, y) = bits(self.a);
+        PointFx::from_bits(along(x, self.u.x), along(y, self.u.y))
+    }
+}
+
+/// Sides with gaps.
+#[derive(Clone, Debug)]
+struct Cutter<'a, S> {
+    sides: S,
+    view: View,
+    /// `None`: nothing to cut.
+    pattern: Option<Pattern<'a>>,
+    start: Option<Place>,
+    at: Place,
+    side: Option<Side>,
+    /// The dash ended with the piece that was taken last, or went out of sight.
+    stop: bool,
+}
+
+impl<S: Iterator<Item = Event>> Iterator for Cutter<'_, S> {
+    type Item = Event;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Event> {
+        let Some(pattern) = self.pattern else { return self.sides.next() };
+        loop {
+            if core::mem::take(&mut self.stop) {
+                return Some(Event::Stop);
+            }
+            if let Some(mut side) = self.side.take() {
+                if let Some(event) = self.piece(&pattern, &mut side) {
+                    return Some(event);
+                }
+                continue;
+            }
+            match self.sides.next()? {
+                Event::Side { a, b, u: seen, start } => {
+                    let Some((u, length)) = Direction::between(a, b) else { continue };
+                    if seen.is_some() {
+                        let start = if start == Start::Ring { Start::Corner } else { start };
+                        self.side = Some(Side { a, b, u, start, length, s: 0 });
+                    } else {
+                        // The dash that came here, and its ends, are out of sight: what comes next has nothing to do with it.
+                        pattern.advance(&mut self.at, pattern.rest(length));
+                        return Some(Event::Stop);
+                    }
+                }
+                Event::Stop | Event::Close => {
+                    self.at = self.start.unwrap_or_default();
+                    return Some(Event::Stop);
+                }
+                Event::Dot(_) if !self.at.is_on() => {}
+                dot @ Event::Dot(_) => return Some(dot),
+            }
+        }
+    }
+}
+
+impl<S> Cutter<'_, S> {
+    /// The next piece of a side that is on. The side stays for another one unless it is used up.
+    fn piece(&mut self, pattern: &Pattern<'_>, side: &mut Side) -> Option<Event> {
+        loop {
+            let from = side.at(side.s);
+            let mut left = side.length.wrapping_sub(side.s);
+            if left == 0 {
+                return None;
+            }
+            if self.view.hides(from, side.b, 0) {
+                pattern.advance(&mut self.at, pattern.rest(left));
+                self.stop = true;
+                return None;
+            }
+            // As far as it cannot get into the view, by whole periods.
+            let beside = distance(&self.view, from).min(left);
+            if beside >= pattern.period {
+                side.s = side.s.wrapping_add(beside.wrapping_sub(pattern.rest(beside)));
+                continue;
+            }
+            let on = self.at.is_on();
+            left = left.min(self.at.left);
+            let start = if side.s == 0 { side.start } else { Start::Corner };
+            side.s = side.s.wrapping_add(left);
+            self.at.left = self.at.left.wrapping_sub(left);
+            let ends = self.at.left == 0;
+            if ends {
+                pattern.next(&mut self.at);
+            }
+            if on {
+                self.stop = ends;
+                self.side = Some(*side);
+                return Some(Event::Side { a: from, b: side.at(side.s), u: Some(side.u), start });
+            }
+        }
+    }
+}
+
+/// How far a place is from a view at the least, in units of 2^-16.
+fn distance(view: &View, from: PointFx) -> u64 {
+    let (x, y) = bits(from);
+    let [(x0, y0), (x1, y1)] = view.corners();
+    let beside = |n: i32, low: i32, high: i32| difference(low, n).max(difference(n, high));
+    magnitude(beside(x, x0, x1).max(beside(y, y0, y1)).max(0)) << 8
+}

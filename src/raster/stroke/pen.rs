@@ -1,0 +1,236 @@
+//! [`Pen`]: the pieces of a stroke, each a convex contour.
+
+use core::num::NonZeroU32;
+
+use super::{
+    direction::{moved, with_sign, Direction},
+    style::{Cap, Join, Stroke},
+};
+use crate::{
+    geom::{PointFx, View},
+    num::{
+        cast::{low_u32, magnitude, unsigned},
+        round::div_rem_wide,
+    },
+    span::Rect,
+};
+
+/// What cuts a stroke into dashes, or leaves it alone: `()` or a [`Dash`](super::Dash).
+pub trait Dashing: Cut {}
+
+impl<D: Cut> Dashing for D {}
+
+/// What happens along a contour.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// A side, its direction if it may be seen, and what it begins with.
+    Side {
+        /// From here
+        a: PointFx,
+        /// to here
+        b: PointFx,
+        /// this way.
+        u: Option<Direction>,
+        /// At `a`.
+        start: Start,
+    },
+    /// The sides before end here.
+    Stop,
+    /// The sides before form a ring.
+    Close,
+    /// A contour without length.
+    Dot(PointFx),
+}
+
+/// What a side begins with.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// A corner, or the end of a stroke.
+    Corner,
+    /// A place inside of a curve.
+    Smooth,
+    /// The start of a ring.
+    Ring,
+}
+
+/// What [`Dashing`] does, out of sight.
+pub trait Cut: Copy {
+    /// Whether what is not seen must be measured nevertheless.
+    const LENGTH_MATTERS: bool;
+    /// Cuts sides.
+    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, pen: Pen) -> impl Iterator<Item = Event> + Clone;
+}
+
+/// No dashes.
+impl Cut for () {
+    const LENGTH_MATTERS: bool = false;
+
+    #[inline]
+    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, _: Pen) -> impl Iterator<Item = Event> + Clone {
+        sides
+    }
+}
+
+/// For widths up to the first number: cosine and sine of the turn from one vertex of a fan to the next, times 2^30. It is
+/// 1/8, 1/16 ... 1/2048 of a circle.
+const TURNS: [(u32, (i32, i32)); 9] = [
+    (768, (759_250_125, 759_250_125)),
+    (3_072, (992_008_094, 410_903_207)),
+    (12_288, (1_053_110_176, 209_476_638)),
+    (49_152, (1_068_571_464, 105_245_103)),
+    (196_608, (1_072_448_455, 52_686_014)),
+    (786_432, (1_073_418_433, 26_350_943)),
+    (3_145_728, (1_073_660_973, 13_176_464)),
+    (12_582_912, (1_073_721_611, 6_588_356)),
+    (u32::MAX, (1_073_736_771, 3_294_193)),
+];
+
+/// A stroke in the units of its pieces.
+#[derive(Copy, Clone, Debug)]
+pub struct Pen {
+    pub(super) width: u32,
+    cap: Cap,
+    join: Join,
+    /// Square of the miter limit, in 2^-16.
+    limit: u32,
+    turn: (i32, i32),
+    /// How far from its line it may paint.
+    pub(super) reach: u32,
+    pub(super) view: View,
+}
+
+impl Pen {
+    /// For strokes that `window` may show.
+    pub(super) fn new<D>(stroke: &Stroke<D>, window: Rect) -> Self {
+        let width = unsigned(stroke.width.to_bits().clamp(0, 1 << 24));
+        let limit = unsigned(stroke.miter_limit.to_bits().clamp(0, 0xffff));
+        let turn = TURNS.iter().find(|&&(most, _)| width <= most).map_or((0, 0), |turn| turn.1);
+        // Half the width for round joins, times the root of 2 for the corners of a square cap, the limit for a miter.
+        let far = if matches!(stroke.join, Join::Miter) { limit.max(384) } else { 384 };
+        let reach = low_u32(u64::from(width).wrapping_mul(u64::from(far)) >> 9).wrapping_add(2);
+        let view = View::of(window, reach);
+        Self { width, cap: stroke.cap, join: stroke.join, limit: limit.wrapping_mul(limit), turn, reach, view }
+    }
+
+    #[inline(never)]
+    pub(super) fn side(&self, a: PointFx, b: PointFx, u: Direction) -> Piece {
+        let (right, left) = (u.right().offset(self.width), u.right().back().offset(self.width));
+        Piece::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
+    }
+
+    /// The end of a side that goes this way.
+    #[inline(never)]
+    pub(super) fn cap(&self, at: PointFx, u: Option<Direction>) -> Option<Piece> {
+        let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
+        let (r, l) = (right.offset(self.width), left.offset(self.width));
+        match self.cap {
+            Cap::Butt => None,
+            Cap::Square => {
+                // Ahead is what lies to the left of the right.
+                let ahead = (r.1, l.0);
+                let sum = |o: (i32, i32)| (o.0.wrapping_add(ahead.0), o.1.wrapping_add(ahead.1));
+                Some(Piece::new([moved(at, r), moved(at, sum(r)), moved(at, sum(l)), moved(at, l)], 4))
+            }
+            Cap::Round => Some(self.wedge(at, right, left, Join::Round)),
+        }
+    }
+
+    /// Between two sides that meet.
+    pub(super) fn join(
+        &self,
+        at: PointFx,
+        last: Option<Direction>,
+        next: Option<Direction>,
+        smooth: bool,
+    ) -> Option<Piece> {
+        let (last, next) = (last?, next?);
+        let turn = last.cross(next);
+        if turn == 0 && last.dot(next) > 0 || self.view.hides(at, at, 0) {
+            return None;
+        }
+        // On the outer side, from one offset to the other turning left, as all pieces do.
+        let (from, to) =
+            if turn > 0 { (next.right().back(), last.right().back()) } else { (last.right(), next.right()) };
+        Some(self.wedge(at, from, to, if smooth { Join::Round } else { self.join }))
+    }
+
+    #[inline(never)]
+    fn wedge(&self, at: PointFx, from: Direction, to: Direction, join: Join) -> Piece {
+        let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));
+        match join {
+            Join::Miter => match self.tip(from, to) {
+                Some(tip) => Piece::new([at, start, moved(at, tip), end], 4),
+                None => Piece::new([at, start, end, end], 3),
+            },
+            Join::Bevel => Piece::new([at, start, end, end], 3),
+            Join::Round => {
+                let fan = Fan { centre: at, last: from, end: to, turn: self.turn, width: self.width };
+                Piece { fan: Some(fan), ..Piece::new([at, start, end, end], 3) }
+            }
+        }
+    }
+
+    /// Where two offset borders meet, unless that is too far.
+    fn tip(&self, from: Direction, to: Direction) -> Option<(i32, i32)> {
+        // 1 + cos, of 31 bits.
+        let c = (from.dot(to) >> 30).wrapping_add(1 << 30);
+        let near = c > 0 && u64::from(self.limit).wrapping_mul(magnitude(c)) >= 1 << 47;
+        let c = NonZeroU32::new(low_u32(magnitude(c))).filter(|_| near)?;
+        let reach = |p: i32, q: i32| {
+            let sum = i64::from(p).wrapping_add(i64::from(q));
+            let n = u64::from(self.width).wrapping_mul(sum.unsigned_abs()).wrapping_add(u64::from(c.get()));
+            with_sign(div_rem_wide(n >> 1, c).0, sum)
+        };
+        Some((reach(from.x, to.x), reach(from.y, to.y)))
+    }
+}
+
+/// One piece of a stroke: the vertices of a convex contour.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    corners: [PointFx; 4],
+    len: usize,
+    /// How many corners are given out.
+    done: usize,
+    /// Comes after two corners.
+    fan: Option<Fan>,
+}
+
+impl Piece {
+    const fn new(corners: [PointFx; 4], len: usize) -> Self {
+        Self { corners, len, done: 0, fan: None }
+    }
+}
+
+impl Iterator for Piece {
+    type Item = PointFx;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<PointFx> {
+        if self.done == 2 {
+            if let Some(v) = self.fan.as_mut().and_then(Fan::next) {
+                return Some(v);
+            }
+        }
+        let corner = self.corners.get(self.done).filter(|_| self.done < self.len)?;
+        self.done = self.done.wrapping_add(1);
+        Some(*corner)
+    }
+}
+
+/// Vertices on a circle, between two offsets of at most half a turn.
+#[derive(Clone, Debug)]
+struct Fan {
+    centre: PointFx,
+    last: Direction,
+    end: Direction,
+    turn: (i32, i32),
+    width: u32,
+}
+
+impl Fan {
+    fn next(&mut self) -> Option<PointFx> {
+        self.last = self.last.turned(self.turn);
+        (self.last.cross(self.end) < 0).then(|| moved(self.centre, self.last.offset(self.width)))
+    }
+}

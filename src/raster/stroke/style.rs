@@ -1,0 +1,99 @@
+//! [`Stroke`]: how a line with a width looks.
+
+use fixed::types::I24F8;
+
+/// How the ends of an open contour, or of a dash, look.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub enum Cap {
+    /// Cut off at the end.
+    #[default]
+    Butt,
+    /// Longer by half the width.
+    Square,
+    /// A half circle.
+    Round,
+}
+
+/// How two sides meet.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub enum Join {
+    /// Outer borders go on until they meet; a [`Bevel`](Self::Bevel) where that is farther than the limit.
+    #[default]
+    Miter,
+    /// The corner is cut off.
+    Bevel,
+    /// A piece of a circle.
+    Round,
+}
+
+/// How a stroke looks: its width, its ends, its corners. `D` is `()` for a solid one, [`Dash`](super::dash::Dash) for dashes.
+/// ```
+/// use embedded_raster::{buffer_bytes, Canvas, Cap, EdgeSlot, Framebuffer, Index1, Join, Stroke, PointFx};
+/// let mut ram = [0; buffer_bytes::<Index1>(16, 8)];
+/// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
+/// let tick = [PointFx::px(2, 2), PointFx::px(6, 6), PointFx::px(14, 1)];
+/// let stroke = Stroke::px(2).with_join(Join::Round).with_cap(Cap::Round);
+/// frame.stroke_polyline(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
+/// let rows = [
+///     0b0000_0000_0000_0110_u16,
+///     0b0110_0000_0001_1110,
+///     0b0111_0000_0011_1000,
+///     0b0011_1000_1111_0000,
+///     0b0001_1101_1100_0000,
+///     0b0000_1111_1000_0000,
+///     0b0000_0110_0000_0000,
+///     0b0000_0000_0000_0000,
+/// ];
+/// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Stroke<D = ()> {
+    /// In pixels and 1/256 of them, from 0 to 65,536; others count as the nearest of these.
+    pub width: I24F8,
+    /// Ends.
+    pub cap: Cap,
+    /// Corners.
+    pub join: Join,
+    /// How far, in widths, a miter may reach from its inner to its outer corner.
+    pub miter_limit: I24F8,
+    /// Gaps.
+    pub dash: D,
+}
+
+impl Stroke {
+    /// A solid stroke of this width, with butt caps and miter joins up to 4 widths.
+    #[inline]
+    pub const fn new(width: I24F8) -> Self {
+        Self { width, cap: Cap::Butt, join: Join::Miter, miter_limit: I24F8::from_bits(4 << 8), dash: () }
+    }
+
+    /// The same, in whole pixels.
+    #[inline]
+    pub const fn px(width: u16) -> Self {
+        Self::new(I24F8::from_bits((width as i32) << 8))
+    }
+}
+
+impl<D> Stroke<D> {
+    /// With other ends.
+    #[inline]
+    #[must_use]
+    pub fn with_cap(self, cap: Cap) -> Self {
+        Self { cap, ..self }
+    }
+
+    /// With other corners.
+    #[inline]
+    #[must_use]
+    pub fn with_join(self, join: Join) -> Self {
+        Self { join, ..self }
+    }
+
+    /// With another limit for miters.
+    #[inline]
+    #[must_use]
+    pub fn with_miter_limit(self, miter_limit: I24F8) -> Self {
+        Self { miter_limit, ..self }
+    }
+}

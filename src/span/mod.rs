@@ -1,0 +1,25 @@
+//! What shapes and surfaces share: all that a shape may say, and to whom.
+//!
+//! A shape knows nothing of pixels in memory and a surface nothing of shapes. Between them stands a [`Sink`]: a shape tells
+//! it which pixels it has, as
+//! - [spans](ClippedSpan), runs of pixels in one row,
+//! - [areas](Rect), the same run in many rows,
+//! - [`Steps`], the pixels of a line one pixel wide, and
+//! - [`Octants`], the outline of a circle.
+//!
+//! A [`Span`] may lie anywhere; clipped once against the window of a surface it becomes a [`ClippedSpan`], whose fields
+//! cannot be set from outside: whoever holds one need not check again.
+
+mod octants;
+mod rect;
+mod row;
+mod sink;
+mod steps;
+
+pub use self::{
+    octants::Octants,
+    rect::Rect,
+    row::{ClippedSpan, Span},
+    sink::Sink,
+    steps::Steps,
+};

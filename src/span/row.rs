@@ -1,0 +1,89 @@
+//! [`Span`] and [`ClippedSpan`]: pixels of one row.
+
+use super::rect::Rect;
+use crate::num::cast::unsigned;
+
+/// Pixels `x0..x1` of row `y`, anywhere. Empty when `x0 >= x1`.
+/// ```
+/// use embedded_raster::{Rect, Span};
+/// let window = Rect::new(0, 0, 64, 48);
+/// let span = Span { y: 3, x0: -10, x1: 5 }.clip(window).unwrap();
+/// assert_eq!((span.x0(), span.x1(), span.y()), (0, 5, 3));
+/// assert!(Span { y: 48, x0: 0, x1: 5 }.clip(window).is_none());
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// Row.
+    pub y: i32,
+    /// First pixel.
+    pub x0: i32,
+    /// The pixel after the last.
+    pub x1: i32,
+}
+
+impl Span {
+    /// The part of it inside `window`, if there is one.
+    #[inline(always)]
+    pub fn clip(self, window: Rect) -> Option<ClippedSpan> {
+        if self.y < window.y0 || self.y >= window.y1 {
+            return None;
+        }
+        self.clip_columns(window)
+    }
+
+    /// [`clip`](Self::clip) for a row that is known to lie in the window.
+    #[inline(always)]
+    pub(crate) fn clip_columns(self, window: Rect) -> Option<ClippedSpan> {
+        let (x0, x1) = (self.x0.max(window.x0), self.x1.min(window.x1));
+        (x0 < x1).then_some(ClippedSpan { y: self.y, x0, x1 })
+    }
+
+    /// [`clip`](Self::clip) for a span that is known to lie in the window if it is not empty.
+    #[inline(always)]
+    pub(crate) fn known_inside(self) -> Option<ClippedSpan> {
+        (self.x0 < self.x1).then_some(ClippedSpan { y: self.y, x0: self.x0, x1: self.x1 })
+    }
+}
+
+impl ClippedSpan {
+    /// A span of a shape that lies in the window as a whole. Not empty: `x0 < x1`.
+    #[inline(always)]
+    pub(crate) const fn inside(y: i32, x0: i32, x1: i32) -> Self {
+        Self { y, x0, x1 }
+    }
+}
+
+/// A [`Span`] that has at least one pixel and lies inside the window that it was clipped against.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct ClippedSpan {
+    y: i32,
+    x0: i32,
+    x1: i32,
+}
+
+impl ClippedSpan {
+    /// Row.
+    #[inline(always)]
+    pub const fn y(self) -> i32 {
+        self.y
+    }
+
+    /// First pixel.
+    #[inline(always)]
+    pub const fn x0(self) -> i32 {
+        self.x0
+    }
+
+    /// The pixel after the last.
+    #[inline(always)]
+    pub const fn x1(self) -> i32 {
+        self.x1
+    }
+
+    /// Number of pixels, at least 1.
+    #[inline(always)]
+    #[expect(clippy::len_without_is_empty, reason = "it is never empty")]
+    pub const fn len(self) -> u32 {
+        unsigned(self.x1.wrapping_sub(self.x0))
+    }
+}

@@ -1,0 +1,55 @@
+//! [`Sink`]: what receives a shape.
+
+use super::{octants::Octants, rect::Rect, row::ClippedSpan, steps::Steps};
+
+/// Receives a shape: everything that a shape may say to what it is drawn on.
+///
+/// A closure that takes spans is a sink, and so are a paint and a surface together
+/// ([`Canvas::paint`](crate::Canvas::paint)). All but [`span`](Self::span) are shortcuts, for sinks that do them faster than
+/// span by span.
+///
+/// **Order.** Shapes speak from the top down: no call begins on a row above the one on which the call before began, and spans
+/// of one row come from left to right, in every build. Two kinds of shapes follow their own path instead: lines from point to
+/// point, and one pixel wide outlines of paths.
+///
+/// **What is said** lies inside of the window that the shape was given and is not empty. Filled shapes name each pixel once.
+/// ```
+/// use embedded_raster::{raster::rectangle, ClippedSpan, Rect};
+/// let window = Rect::new(0, 0, 64, 48);
+/// let mut rows = vec![];
+/// rectangle::fill(Rect::new(-3, 46, 5, 90), window, |span: ClippedSpan| rows.push((span.y(), span.x0(), span.x1())));
+/// assert_eq!(rows, [(46, 0, 5), (47, 0, 5)]);
+/// ```
+pub trait Sink {
+    /// Pixels of one row.
+    fn span(&mut self, span: ClippedSpan);
+
+    /// Pixels of a rectangle. By default, row by row.
+    #[inline]
+    fn area(&mut self, area: Rect) {
+        for y in area.y0..area.y1 {
+            self.span(ClippedSpan::inside(y, area.x0, area.x1));
+        }
+    }
+
+    /// Pixels of a line one pixel wide. By default, row by row.
+    #[inline]
+    fn steps(&mut self, steps: Steps) {
+        steps.spans(|span| self.span(span));
+    }
+
+    /// The outline of a circle, if the sink can do it as a whole. By default it cannot: `false` makes the shape say the same
+    /// pixels row by row.
+    #[inline]
+    fn octants(&mut self, octants: Octants) -> bool {
+        let _ = octants;
+        false
+    }
+}
+
+impl<F: FnMut(ClippedSpan)> Sink for F {
+    #[inline(always)]
+    fn span(&mut self, span: ClippedSpan) {
+        self(span);
+    }
+}

@@ -1,0 +1,185 @@
+//! Drawing on a [`Frame`]: what the layout does, where the window has its pixels.
+
+use core::any::TypeId;
+
+use embedded_graphics_core::geometry::Point;
+
+use super::{
+    blit::Plan,
+    frame::Frame,
+    layout::Layout,
+    rows::Rows,
+    traits::{Readable, Surface},
+};
+use crate::{
+    pixel::PixelFormat,
+    span::{ClippedSpan, Octants, Rect, Steps},
+    tune::COMPACT,
+};
+
+impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
+    type Color = L::Color;
+
+    #[inline(always)]
+    fn window(&self) -> Rect {
+        Frame::window(self)
+    }
+
+    // Inlined into the loops of the shapes even at their several call sites: a call would cost as much as a short span.
+    #[inline(always)]
+    fn fill_span(&mut self, span: ClippedSpan, color: L::Color) {
+        let (y, columns) = (self.y(span.y()), self.columns(span));
+        let (memory, grid) = self.write();
+        L::fill_span(memory, grid, y, columns, color);
+    }
+
+    #[inline]
+    fn fill_area(&mut self, area: Rect, color: L::Color) {
+        if let Some((rows, columns)) = self.places(area) {
+            let (memory, grid) = self.write();
+            L::fill_area(memory, grid, rows, columns, color);
+        }
+    }
+
+    #[inline]
+    fn fill_steps(&mut self, steps: Steps, color: L::Color) {
+        if let Some(span) = steps.one_row().filter(|_| !COMPACT) {
+            return self.fill_span(span, color);
+        }
+        let (x, y) = steps.first();
+        let start = self.place(x, y);
+        let (memory, grid) = self.write();
+        if !L::fill_steps(memory, grid, start, steps, color) {
+            steps.spans(|span| self.fill_span(span, color));
+        }
+    }
+
+    #[inline]
+    fn fill_octants(&mut self, octants: Octants, color: L::Color) -> bool {
+        let (x, y) = octants.first();
+        let start = self.place(x, y);
+        let (memory, grid) = self.write();
+        L::fill_octants(memory, grid, start, octants, color)
+    }
+
+    #[inline]
+    fn set(&mut self, p: Point, color: L::Color) {
+        if self.window().contains(p.x, p.y) {
+            let place = self.place(p.x, p.y);
+            let (memory, grid) = self.write();
+            L::set(memory, grid, place, color);
+        }
+    }
+
+    #[inline]
+    fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<L::Color>) {
+        let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
+        let (memory, grid) = self.write();
+        L::write_span(memory, grid, y, columns, || {
+            let color = color_at(x);
+            x = x.wrapping_add(1);
+            color
+        });
+    }
+
+    fn copy_picture<N, K>(&mut self, at: Point, picture: &Frame<N, K>, key: Option<L::Color>)
+    where
+        N: AsRef<[u8]>,
+        K: Layout<Color = L::Color>,
+    {
+        let Some(plan) = Plan::new(self.window(), at, picture.window()) else { return };
+        // The same layout on both sides or not: that is known when the program is compiled.
+        if TypeId::of::<K>() == TypeId::of::<L>() {
+            let (from, from_grid) = picture.read();
+            let from = (from, from_grid, picture.place(plan.from.x, plan.from.y));
+            let to = self.place(plan.to.x, plan.to.y);
+            let (memory, grid) = self.write();
+            return L::copy((memory, grid, to), from, (plan.width as usize, plan.height as usize), key);
+        }
+        plan.each_row(|span, (from_x, from_y)| {
+            self.write_some(span, |x| {
+                let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
+                Some(color).filter(|_| key != Some(color))
+            });
+        });
+    }
+
+    fn copy_mask<N, F>(&mut self, at: Point, mask: &Frame<N, Rows<F>>, on: L::Color, off: Option<L::Color>)
+    where
+        N: AsRef<[u8]>,
+        F: PixelFormat,
+    {
+        let Some(plan) = Plan::new(self.window(), at, mask.window()) else { return };
+        plan.each_row(|span, (from_x, from_y)| {
+            let mut bits = mask.bits(from_x, from_y);
+            let (y, columns) = (self.y(span.y()), self.columns(span));
+            let (memory, grid) = self.write();
+            L::fill_mask(memory, grid, y, columns, || bits.next(), (on, off));
+        });
+    }
+}
+
+impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
+    #[inline(always)]
+    fn color_at(&self, x: i32, y: i32) -> L::Color {
+        self.at(x, y)
+    }
+
+    #[inline]
+    fn edit_span(&mut self, span: ClippedSpan, mut edit: impl FnMut(i32, L::Color) -> L::Color) {
+        let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
+        let (memory, grid) = self.write();
+        L::edit_span(memory, grid, y, columns, |old| {
+            let new = edit(x, old);
+            x = x.wrapping_add(1);
+            new
+        });
+    }
+
+    #[inline(always)]
+    fn find(&self, span: ClippedSpan, wanted: impl Fn(L::Color) -> bool) -> i32 {
+        let (memory, grid) = self.read();
+        let (start, end) = self.columns(span);
+        let found = L::find(memory, grid, self.y(span.y()), (start, end), wanted);
+        span.x0().wrapping_add(distance(start, found))
+    }
+
+    #[inline(always)]
+    fn find_start(&self, span: ClippedSpan, wanted: impl Fn(L::Color) -> bool) -> i32 {
+        let (memory, grid) = self.read();
+        let (start, end) = self.columns(span);
+        let found = L::find_start(memory, grid, self.y(span.y()), (start, end), wanted);
+        span.x1().wrapping_sub(distance(found, end))
+    }
+
+    #[inline(always)]
+    fn fill_corridor(
+        &mut self,
+        Point { x, y }: Point,
+        down: bool,
+        color: L::Color,
+        is_open: impl Fn(L::Color) -> bool,
+    ) -> Option<i32> {
+        let Rect { x0, x1, y0, y1 } = self.window();
+        if x <= x0 || x >= x1.wrapping_sub(1) {
+            return None;
+        }
+        let (at, rows) = (self.place(x, y), (self.y(y0), self.y(y1)));
+        let (memory, grid) = self.write();
+        let painted = L::fill_corridor(memory, grid, at, rows, down, color, is_open)?;
+        Some(if down { y.wrapping_add(painted) } else { y.wrapping_sub(painted) })
+    }
+
+    fn copy_area(&mut self, area: Rect, to: Point, key: Option<L::Color>) {
+        let Some(plan) = Plan::within(self.window(), area, to) else { return };
+        let (to, from) = (self.place(plan.to.x, plan.to.y), self.place(plan.from.x, plan.from.y));
+        let (memory, grid) = self.write();
+        L::move_area(memory, grid, to, from, (plan.width as usize, plan.height as usize), key);
+    }
+}
+
+/// From one place in a row to another, less than a row of 65,535 pixels away.
+#[inline(always)]
+fn distance(from: usize, to: usize) -> i32 {
+    i32::try_from(to.wrapping_sub(from)).unwrap_or_default()
+}

@@ -1,0 +1,263 @@
+//! [`Layout`]: how pixels lie in memory.
+//!
+//! | layout | what it is | who wants it |
+//! |---|---|---|
+//! | [`Rows`](super::Rows) | rows of a [format](crate::pixel), one after the other | most |
+//! | [`Pages`](super::Pages) | eight rows to a byte | SSD1306, SH1106 and other small OLEDs |
+//! | [`Planes`](super::Planes) | two planes of one bit | e-paper in black, white and red, or in four greys |
+//!
+//! A layout of your own is [`get`](Layout::get), [`set`](Layout::set) and two sizes; everything that this crate draws works on
+//! it then. The other functions are the same pixels faster: override those that your program spends its time in.
+
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+use crate::span::{Octants, Steps};
+
+/// How many rows there are in memory, and how far apart they are.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// Bytes from one row to the next, or from one page to the next where [rows share bytes](Layout::PAGE).
+    pub stride: usize,
+    /// Rows in memory.
+    pub rows: usize,
+}
+
+/// A column and a row in memory, counted from 0.
+pub type Place = (usize, usize);
+
+/// How pixels lie in memory: which bytes a pixel has, and how runs of pixels are written.
+///
+/// Columns and rows are those in memory, and lie inside of it: a [`Frame`](super::Frame) has clipped what was asked for, and
+/// moved it to where a view or a band has its pixels. Ranges are half-open and not empty.
+///
+/// A layout has no state; it is a name for functions. What is not overridden goes pixel by pixel.
+/// ```
+/// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+/// use embedded_raster::{surface::Grid, Canvas, Frame, Layout, Rect};
+/// /// Columns of bytes, from right to left.
+/// struct Columns;
+/// impl Layout for Columns {
+///     type Color = Gray8;
+///     fn row_bytes(width: u16) -> usize {
+///         width.into()
+///     }
+///     fn get(memory: &[u8], grid: Grid, (x, y): (usize, usize)) -> Gray8 {
+///         let last = memory.len() - 1;
+///         Gray8::new(memory[last - (x * grid.rows + y)])
+///     }
+///     fn set(memory: &mut [u8], grid: Grid, (x, y): (usize, usize), color: Gray8) {
+///         let last = memory.len() - 1;
+///         memory[last - (x * grid.rows + y)] = embedded_graphics_core::prelude::GrayColor::luma(&color);
+///     }
+/// }
+/// let mut ram = [b'.'; 3 * 2];
+/// let mut frame = Frame::<_, Columns>::new(&mut ram[..], 3, 2)?;
+/// frame.draw_line(Point::new(0, 0), Point::new(2, 1), Gray8::new(b'#'));
+/// assert_eq!(&ram, b"#.#..#");
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+pub trait Layout: 'static {
+    /// What a pixel holds.
+    type Color: PixelColor;
+
+    /// Rows that share bytes: a band starts at a multiple of it.
+    const PAGE: u16 = 1;
+
+    /// Bytes of a row of `width` pixels, or of [`PAGE`](Self::PAGE) rows that share bytes.
+    fn row_bytes(width: u16) -> usize;
+
+    /// Bytes of a screen or a band, from its first to its last; stops at `usize::MAX`. By default the last row takes its
+    /// pixels only, not a whole stride.
+    #[inline]
+    fn bytes(width: u16, grid: Grid) -> usize {
+        match grid.rows.div_ceil(usize::from(Self::PAGE)).checked_sub(1) {
+            Some(before) => grid.stride.saturating_mul(before).saturating_add(Self::row_bytes(width)),
+            None => 0,
+        }
+    }
+
+    /// Reads a pixel.
+    fn get(memory: &[u8], grid: Grid, at: Place) -> Self::Color;
+
+    /// Writes a pixel.
+    fn set(memory: &mut [u8], grid: Grid, at: Place, color: Self::Color);
+
+    /// Writes one colour to the pixels `x0..x1` of row y.
+    #[inline]
+    fn fill_span(memory: &mut [u8], grid: Grid, y: usize, (x0, x1): (usize, usize), color: Self::Color) {
+        for x in x0..x1 {
+            Self::set(memory, grid, (x, y), color);
+        }
+    }
+
+    /// Writes one colour to the pixels `x0..x1` of the rows `y0..y1`.
+    #[inline]
+    fn fill_area(memory: &mut [u8], grid: Grid, (y0, y1): (usize, usize), columns: (usize, usize), color: Self::Color) {
+        for y in y0..y1 {
+            Self::fill_span(memory, grid, y, columns, color);
+        }
+    }
+
+    /// Writes one colour along a line whose first pixel lies at `start`, if the layout can do that faster than span by span.
+    #[inline]
+    fn fill_steps(memory: &mut [u8], grid: Grid, start: Place, steps: Steps, color: Self::Color) -> bool {
+        let _ = (memory, grid, start, steps, color);
+        false
+    }
+
+    /// Writes one colour along a circle whose box starts at `start`, if the layout can do that faster than span by span.
+    #[inline]
+    fn fill_octants(memory: &mut [u8], grid: Grid, start: Place, octants: Octants, color: Self::Color) -> bool {
+        let _ = (memory, grid, start, octants, color);
+        false
+    }
+
+    /// Writes the pixels `x0..x1` of row y from left to right: the colours that `next` gives, or nothing where it gives `None`.
+    #[inline]
+    fn write_span(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        (x0, x1): (usize, usize),
+        mut next: impl FnMut() -> Option<Self::Color>,
+    ) {
+        for x in x0..x1 {
+            if let Some(color) = next() {
+                Self::set(memory, grid, (x, y), color);
+            }
+        }
+    }
+
+    /// Replaces the pixels `x0..x1` of row y from left to right, each by what `edit` makes of it.
+    #[inline]
+    fn edit_span(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        (x0, x1): (usize, usize),
+        mut edit: impl FnMut(Self::Color) -> Self::Color,
+    ) {
+        for x in x0..x1 {
+            let color = edit(Self::get(memory, grid, (x, y)));
+            Self::set(memory, grid, (x, y), color);
+        }
+    }
+
+    /// The first of the pixels `x0..x1` of row y whose colour is wanted; `x1` if none is.
+    #[inline]
+    fn find(
+        memory: &[u8],
+        grid: Grid,
+        y: usize,
+        (x0, x1): (usize, usize),
+        wanted: impl Fn(Self::Color) -> bool,
+    ) -> usize {
+        let mut x = x0;
+        while x < x1 && !wanted(Self::get(memory, grid, (x, y))) {
+            x = x.wrapping_add(1);
+        }
+        x
+    }
+
+    /// Where the pixels of row y begin that end before `x1`, not before `x0`, and whose colours are all wanted.
+    #[inline]
+    fn find_start(
+        memory: &[u8],
+        grid: Grid,
+        y: usize,
+        (x0, x1): (usize, usize),
+        wanted: impl Fn(Self::Color) -> bool,
+    ) -> usize {
+        let mut x = x1;
+        while x > x0 && wanted(Self::get(memory, grid, (x.wrapping_sub(1), y))) {
+            x = x.wrapping_sub(1);
+        }
+        x
+    }
+
+    /// Paints pixels straight down from `at`, or up, in the rows `y0..y1`, for as long as they are open and their left and
+    /// right neighbours, which lie in memory, are not; says how many. `None` if the layout cannot do that faster than pixel by
+    /// pixel. This is for flood fills of mazes.
+    #[inline]
+    fn fill_corridor(
+        memory: &mut [u8],
+        grid: Grid,
+        at: Place,
+        rows: (usize, usize),
+        down: bool,
+        color: Self::Color,
+        is_open: impl Fn(Self::Color) -> bool,
+    ) -> Option<i32> {
+        let _ = (memory, grid, at, rows, down, color, is_open);
+        None
+    }
+
+    /// Copies `width` x `height` pixels from one memory to another of the same layout, those of the colour `key` left out.
+    #[inline]
+    fn copy(
+        (to, to_grid, (to_x, to_y)): (&mut [u8], Grid, Place),
+        (from, from_grid, (from_x, from_y)): (&[u8], Grid, Place),
+        (width, height): (usize, usize),
+        key: Option<Self::Color>,
+    ) {
+        for down in 0..height {
+            for right in 0..width {
+                let place = (from_x.wrapping_add(right), from_y.wrapping_add(down));
+                let color = Self::get(from, from_grid, place);
+                if key != Some(color) {
+                    let place = (to_x.wrapping_add(right), to_y.wrapping_add(down));
+                    Self::set(to, to_grid, place, color);
+                }
+            }
+        }
+    }
+
+    /// Copies `width` x `height` pixels within a memory, those of the colour `key` left out; both areas may overlap.
+    #[inline]
+    fn move_area(
+        memory: &mut [u8],
+        grid: Grid,
+        (to_x, to_y): Place,
+        (from_x, from_y): Place,
+        (width, height): (usize, usize),
+        key: Option<Self::Color>,
+    ) {
+        // In an order in which no pixel is painted over before it was read.
+        let place = |i: usize, n: usize, backwards: bool| if backwards { n.wrapping_sub(1).wrapping_sub(i) } else { i };
+        for i in 0..height {
+            let down = place(i, height, to_y > from_y);
+            for i in 0..width {
+                let right = place(i, width, to_x > from_x);
+                let color = Self::get(memory, grid, (from_x.wrapping_add(right), from_y.wrapping_add(down)));
+                if key != Some(color) {
+                    Self::set(memory, grid, (to_x.wrapping_add(right), to_y.wrapping_add(down)), color);
+                }
+            }
+        }
+    }
+
+    /// Writes a row of a picture of one bit per pixel, from left to right in the pixels `x0..x1` of row y: `on` where the next
+    /// bit is set, `off`, or nothing if that is `None`, elsewhere.
+    ///
+    /// `bits` gives eight pixels at a time, the leftmost in bit 31.
+    #[inline]
+    fn fill_mask(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        mut bits: impl FnMut() -> u32,
+        (on, off): (Self::Color, Option<Self::Color>),
+    ) {
+        let (mut eight, mut left) = (0_u32, 0_u32);
+        Self::write_span(memory, grid, y, columns, || {
+            if left == 0 {
+                (eight, left) = (bits(), 8);
+            }
+            let color = if eight >> 31 != 0 { Some(on) } else { off };
+            eight <<= 1;
+            left = left.wrapping_sub(1);
+            color
+        });
+    }
+}

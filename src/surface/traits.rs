@@ -1,0 +1,234 @@
+//! [`Surface`] and [`Readable`]: what can be drawn on, and what can be read as well.
+
+use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
+
+use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows};
+use crate::{
+    pixel::PixelFormat,
+    span::{ClippedSpan, Octants, Rect, Span, Steps},
+};
+
+/// Something that can be drawn on: a [`Frame`] of memory, a [`Counter`](super::Counter) of pixels, a foreign `DrawTarget`
+/// (see [`eg`](crate::eg)), or a wrapper around any of them.
+///
+/// It has a *window*, the pixels that it can paint, and paints spans that were clipped against that window. All other methods
+/// are the same pixels faster, and have defaults in terms of [`fill_span`](Self::fill_span): so a wrapper sees every change
+/// when it sees the spans. Shapes are drawn by [`Canvas`](crate::Canvas), which every surface has.
+///
+/// ```
+/// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
+/// use embedded_raster::{Canvas, ClippedSpan, Rect, Surface};
+///
+/// /// Keeps a list of what is painted.
+/// struct Log(Vec<ClippedSpan>);
+///
+/// impl Surface for Log {
+///     type Color = BinaryColor;
+///     fn window(&self) -> Rect {
+///         Rect::new(0, 0, 8, 8)
+///     }
+///     fn fill_span(&mut self, span: ClippedSpan, _: BinaryColor) {
+///         self.0.push(span);
+///     }
+/// }
+///
+/// let mut log = Log(vec![]);
+/// log.draw_line(Point::new(-9, 3), Point::new(9, 3), BinaryColor::On);
+/// assert_eq!((log.0[0].x0(), log.0[0].x1()), (0, 8));
+/// ```
+pub trait Surface {
+    /// What a pixel is painted with.
+    type Color: PixelColor;
+
+    /// The pixels that can be painted.
+    fn window(&self) -> Rect;
+
+    /// Paints the pixels of a span that was clipped against [`window`](Self::window).
+    fn fill_span(&mut self, span: ClippedSpan, color: Self::Color);
+
+    /// Paints the pixels of `area` that lie in the window.
+    #[inline]
+    fn fill_area(&mut self, area: Rect, color: Self::Color) {
+        let Rect { x0, y0, x1, y1 } = area.intersection(self.window());
+        for y in y0..y1 {
+            if let Some(span) = (Span { y, x0, x1 }).known_inside() {
+                self.fill_span(span, color);
+            }
+        }
+    }
+
+    /// Paints the pixels of a line that was clipped against [`window`](Self::window).
+    #[inline]
+    fn fill_steps(&mut self, steps: Steps, color: Self::Color) {
+        steps.spans(|span| self.fill_span(span, color));
+    }
+
+    /// Paints the outline of a circle that lies in the window as a whole, if it can do that faster than span by span. If not,
+    /// it says `false`, and is given the spans.
+    #[inline]
+    fn fill_octants(&mut self, octants: Octants, color: Self::Color) -> bool {
+        let _ = (octants, color);
+        false
+    }
+
+    /// Paints one pixel; nothing if it lies outside.
+    #[inline]
+    fn set(&mut self, p: Point, color: Self::Color) {
+        if self.window().contains(p.x, p.y) {
+            self.fill_span(ClippedSpan::inside(p.y, p.x, p.x.wrapping_add(1)), color);
+        }
+    }
+
+    /// Paints the pixels of a span from left to right, each in a colour of its own: what `color_at` gives for the column.
+    #[inline]
+    fn write_span(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        self.write_some(span, |x| Some(color_at(x)));
+    }
+
+    /// [`write_span`](Self::write_span) that leaves the pixels alone for which `color_at` gives `None`.
+    #[inline]
+    fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<Self::Color>)
+    where
+        Self: Sized,
+    {
+        for x in span.x0()..span.x1() {
+            if let Some(color) = color_at(x) {
+                self.fill_span(ClippedSpan::inside(span.y(), x, x.wrapping_add(1)), color);
+            }
+        }
+    }
+
+    /// Copies a picture so that its top left pixel falls on `at`, all but the pixels of the colour `key`. What lies outside
+    /// is clipped. The picture may have any layout, with colours of the same type.
+    fn copy_picture<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Option<Self::Color>)
+    where
+        Self: Sized,
+        M: AsRef<[u8]>,
+        L: Layout<Color = Self::Color>,
+    {
+        let Some(plan) = Plan::new(self.window(), at, picture.window()) else { return };
+        plan.each_row(|span, (from_x, from_y)| {
+            self.write_some(span, |x| {
+                let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
+                Some(color).filter(|_| key != Some(color))
+            });
+        });
+    }
+
+    /// Paints a picture of one bit per pixel so that its top left pixel falls on `at`: `on` where a bit is set, and `off`
+    /// elsewhere, or nothing if that is `None`. What lies outside is clipped.
+    fn copy_mask<M, F>(&mut self, at: Point, mask: &Frame<M, Rows<F>>, on: Self::Color, off: Option<Self::Color>)
+    where
+        Self: Sized,
+        M: AsRef<[u8]>,
+        F: PixelFormat,
+    {
+        let Some(plan) = Plan::new(self.window(), at, mask.window()) else { return };
+        plan.each_row(|span, (from_x, from_y)| {
+            let (mut bits, mut eight, mut left) = (mask.bits(from_x, from_y), 0_u32, 0_u32);
+            self.write_some(span, |_| {
+                if left == 0 {
+                    (eight, left) = (bits.next(), 8);
+                }
+                let color = if eight >> 31 != 0 { Some(on) } else { off };
+                eight <<= 1;
+                left = left.wrapping_sub(1);
+                color
+            });
+        });
+    }
+}
+
+/// A surface whose pixels can be read: what flood fills, scrolling and blending need. A foreign `DrawTarget` is none.
+pub trait Readable: Surface {
+    /// The colour of a pixel that lies in the window.
+    fn color_at(&self, x: i32, y: i32) -> Self::Color;
+
+    /// The colour of a pixel; `None` if it lies outside.
+    #[inline]
+    fn get(&self, p: Point) -> Option<Self::Color> {
+        self.window().contains(p.x, p.y).then(|| self.color_at(p.x, p.y))
+    }
+
+    /// Calls `read` with the colours of a span, from left to right.
+    #[inline]
+    fn read_span(&self, span: ClippedSpan, mut read: impl FnMut(Self::Color))
+    where
+        Self: Sized,
+    {
+        for x in span.x0()..span.x1() {
+            read(self.color_at(x, span.y()));
+        }
+    }
+
+    /// Replaces the colours of a span, from left to right: what `edit` makes of the column and the old colour.
+    #[inline]
+    fn edit_span(&mut self, span: ClippedSpan, mut edit: impl FnMut(i32, Self::Color) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        for x in span.x0()..span.x1() {
+            let color = edit(x, self.color_at(x, span.y()));
+            self.fill_span(ClippedSpan::inside(span.y(), x, x.wrapping_add(1)), color);
+        }
+    }
+
+    /// The first column of a span whose colour is wanted; the column after its last if there is none.
+    #[inline]
+    fn find(&self, span: ClippedSpan, wanted: impl Fn(Self::Color) -> bool) -> i32
+    where
+        Self: Sized,
+    {
+        let mut x = span.x0();
+        while x < span.x1() && !wanted(self.color_at(x, span.y())) {
+            x = x.wrapping_add(1);
+        }
+        x
+    }
+
+    /// Where the wanted colours begin with which a span ends; the column after its last if that is not wanted.
+    #[inline]
+    fn find_start(&self, span: ClippedSpan, wanted: impl Fn(Self::Color) -> bool) -> i32
+    where
+        Self: Sized,
+    {
+        let mut x = span.x1();
+        while x > span.x0() && wanted(self.color_at(x.wrapping_sub(1), span.y())) {
+            x = x.wrapping_sub(1);
+        }
+        x
+    }
+
+    /// Paints straight down or up from a pixel of the window, for as long as the pixels there are open and their left and right
+    /// neighbours are not; returns the row after the last one painted. `None`, by default, if that has to be found out pixel
+    /// by pixel. A shortcut for flood fills of mazes.
+    #[inline]
+    fn fill_corridor(
+        &mut self,
+        from: Point,
+        down: bool,
+        color: Self::Color,
+        is_open: impl Fn(Self::Color) -> bool,
+    ) -> Option<i32>
+    where
+        Self: Sized,
+    {
+        let _ = (from, down, color, is_open);
+        None
+    }
+
+    /// Copies the pixels of `area` so that its top left one falls on `to`, all but those of the colour `key`; both may overlap.
+    /// What lies outside, before or after, is left out.
+    fn copy_area(&mut self, area: Rect, to: Point, key: Option<Self::Color>) {
+        let Some(plan) = Plan::within(self.window(), area, to) else { return };
+        plan.each_pixel(|(to_x, to_y), (from_x, from_y)| {
+            let color = self.color_at(from_x, from_y);
+            if key != Some(color) {
+                self.fill_span(ClippedSpan::inside(to_y, to_x, to_x.wrapping_add(1)), color);
+            }
+        });
+    }
+}
