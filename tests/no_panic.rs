@@ -41,7 +41,7 @@ use embedded_raster::{
     Angle, Bitmap, Canvas, Cap, ClippedSpan, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
     Join, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke, Surface,
 };
-use fixed::types::I24F8;
+use fixed::types::{I16F16, I24F8};
 use support::{memory::color, rng::Rng};
 
 /// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
@@ -138,15 +138,18 @@ fn rectangles_and_spans() {
                 for y1 in EXTREMES {
                     let (a, b) = (Rect::new(x0, y0, x1, y1), wild_rect(&mut others));
                     black_box((a.is_empty(), a.contains(x1, y0), a.intersection(b), a.relative_to(b.x0, b.y0)));
-                    black_box((a.width(), a.height(), Rectangle::from(a)));
+                    black_box((a.width(), a.height(), Rectangle::from(a), a.union(b)));
+                    black_box((a.inset(b.x0), a.translate(b.x0, b.y0)));
                     let eg = Rectangle::new(Point::new(x0, y0), Size::new(x1 as u32, y1 as u32));
-                    black_box(Rect::from(eg));
+                    black_box((Rect::from(eg), Rect::from_center(eg.top_left, eg.size)));
                     if let Some(span) = (Span { y: y0, x0, x1 }).clip(b) {
                         look(span);
                     }
                     let (v, w) = (PointFx::from_bits(x0, y0), PointFx::from_bits(x1, y1));
                     black_box((rectangle::pixels(v, w), v.pixel(), PointFx::px(x0, y0)));
-                    black_box(PointFx::centre_of(Point::new(x1, y1)));
+                    black_box((PointFx::from(Point::new(x1, y1)), v + w, v - w, -v, v * w.x));
+                    let (p, q) = (Angle::from_bits(x0 as u32), Angle::from_bits(y0 as u32));
+                    black_box((p + q, p - q, -p, p * y0, p.to_degrees(), Angle::degrees_fx(I16F16::from_bits(x0))));
                 }
             }
         }
