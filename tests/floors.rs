@@ -147,6 +147,103 @@ fn the_reader_of_imports_reads_imports() {
     assert!(!may_import("raster", "surface") && !may_import("pixel", "geom") && !may_import("num", "span"));
 }
 
+/// All paths of the `use` statements of a file, one for each name: `use a::{b, c::d}` has `a::b` and `a::c::d`.
+fn imported_paths(code: &str) -> Vec<String> {
+    let mut paths = vec![];
+    for statement in code.split(';') {
+        let Some(at) = statement.rfind("use ") else { continue };
+        let is_word = statement[..at].chars().next_back().is_none_or(char::is_whitespace);
+        if is_word {
+            let tree: String = statement[at + 4..].chars().filter(|c| !c.is_whitespace()).collect();
+            expand(&tree, "", &mut paths);
+        }
+    }
+    paths
+}
+
+/// Writes out the groups in braces.
+fn expand(tree: &str, prefix: &str, paths: &mut Vec<String>) {
+    let (mut depth, mut start) = (0, 0);
+    for (at, c) in tree.char_indices().chain([(tree.len(), ',')]) {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                let entry = &tree[start..at];
+                start = at + 1;
+                match entry.split_once('{') {
+                    Some((head, group)) => {
+                        expand(group.strip_suffix('}').unwrap_or(group), &format!("{prefix}{head}"), paths);
+                    }
+                    None if !entry.is_empty() => paths.push(format!("{prefix}{entry}")),
+                    None => {}
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The file that a path names something of, seen from another file: the innermost module on it that is a file.
+fn file_of(path: &str, from: &Path, root: &Path) -> Option<PathBuf> {
+    let is_root = from.file_name().is_some_and(|name| name == "mod.rs");
+    let mut module = if is_root { from.parent()?.to_path_buf() } else { from.with_extension("") };
+    let mut names = path.split("::").peekable();
+    while let Some(name) = names.next_if(|name| ["crate", "self", "super"].contains(name)) {
+        module = match name {
+            "crate" => root.to_path_buf(),
+            "super" => module.parent()?.to_path_buf(),
+            _ => module,
+        };
+    }
+    let file =
+        |module: &Path| [module.with_extension("rs"), module.join("mod.rs")].into_iter().find(|file| file.is_file());
+    let mut found = if module == root { None } else { file(&module) };
+    for name in names {
+        module.push(name);
+        match file(&module) {
+            Some(inner) => found = Some(inner),
+            None => break,
+        }
+    }
+    found
+}
+
+/// In geometry, where one file explains what the next one builds on, no two explain each other.
+#[test]
+fn no_two_files_of_geom_import_each_other() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = vec![];
+    sources(&root.join("geom"), &mut files);
+    let mut imports = vec![];
+    for from in files {
+        let paths = imported_paths(&code(&fs::read_to_string(&from).expect("a readable file")));
+        for to in paths.iter().filter_map(|path| file_of(path, &from, &root)).filter(|to| *to != from) {
+            imports.push((from.clone(), to));
+        }
+    }
+    assert!(imports.len() > 20, "only {} imports were found", imports.len());
+    let mutual: Vec<_> = imports.iter().filter(|(from, to)| imports.contains(&(to.clone(), from.clone()))).collect();
+    assert!(mutual.is_empty(), "{mutual:#?}");
+}
+
+#[test]
+fn paths_are_found_in_files() {
+    let code = "pub use self::a::B;\nuse crate::{\n    c::{d, e::F as G},\n    h,\n};\nfn because() { reuse (i); }";
+    assert_eq!(imported_paths(code), ["self::a::B", "crate::c::d", "crate::c::e::FasG", "crate::h"]);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let file = |path, from: &str| {
+        let file = file_of(path, &root.join(from), &root)?;
+        Some(file.strip_prefix(&root).expect("it lies there").to_string_lossy().replace('\\', "/"))
+    };
+    let exact = Some("geom/exact.rs".to_owned());
+    assert_eq!(file("super::exact::turn", "geom/clip.rs"), exact);
+    assert_eq!(file("crate::geom::exact::turn", "geom/triangulate/ears.rs"), exact);
+    assert_eq!(file("exact::turn", "geom/mod.rs"), exact);
+    assert_eq!(file("super::PointFx", "geom/clip.rs"), Some("geom/mod.rs".to_owned()));
+    assert_eq!(file("core::cmp::Ordering", "geom/clip.rs"), Some("geom/clip.rs".to_owned()));
+}
+
 /// What a firmware takes over with this crate is three small crates; each has its reason in Cargo.toml.
 #[test]
 fn the_dependencies_are_the_three() {

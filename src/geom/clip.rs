@@ -21,7 +21,7 @@
 
 use core::num::NonZeroU32;
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::num::round::div_rem_wide;
 
 /// How far along a segment a place lies: `number / of`, from 0 to 1.

@@ -26,7 +26,7 @@ use core::cmp::Ordering;
 
 use super::{
     exact::{in_circle, turn},
-    PointFx,
+    point::PointFx,
 };
 use crate::error::TriangulateError;
 

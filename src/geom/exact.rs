@@ -18,7 +18,7 @@
 
 use core::cmp::Ordering;
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::num::{
     cast::narrow,
     round::{compare_products, difference},

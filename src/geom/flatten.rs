@@ -38,13 +38,18 @@
 
 use core::{num::NonZeroU32, slice::Iter};
 
-use super::{bits, path::PathSegment, view::View, PointFx};
+use super::{
+    path::{Path, PathSegment},
+    point::{bits, PointFx},
+    view::View,
+};
 use crate::{
     num::{
         cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
         round::difference,
         wide::times,
     },
+    rect::Rect,
     target::COMPACT,
 };
 
@@ -54,6 +59,62 @@ const FOUR_D: u32 = 7;
 const TIME: u32 = 20;
 /// The end of a curve.
 const END: u32 = 1 << TIME;
+
+impl<'a> Path<'a> {
+    /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
+    #[inline]
+    pub const fn contours(self) -> Contours<'a> {
+        Contours { rest: self.segments(), start: PointFx::from_bits(0, 0), view: View::ALL }
+    }
+
+    /// The same for a fill that only `window` will show: the pixels there are the same, the vertices that do not matter to
+    /// them are fewer, and their number depends on the window instead of on the size of the curves.
+    #[inline]
+    pub fn contours_in(self, window: Rect) -> Contours<'a> {
+        Contours { view: View::of(window, 0), ..self.contours() }
+    }
+
+    /// For what is drawn up to `reach` units around its lines.
+    #[inline]
+    pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
+        Contours { view: View::of(window, reach), ..self.contours() }
+    }
+}
+
+/// The contours of a [`Path`].
+#[derive(Clone, Debug)]
+pub struct Contours<'a> {
+    rest: &'a [PathSegment],
+    /// Where a contour without a move starts.
+    start: PointFx,
+    view: View,
+}
+
+impl<'a> Iterator for Contours<'a> {
+    type Item = Contour<'a>;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Contour<'a>> {
+        while let [PathSegment::MoveTo(start), rest @ ..] = self.rest {
+            (self.start, self.rest) = (*start, rest);
+        }
+        let (mut len, mut closed) = (0_usize, false);
+        for segment in self.rest {
+            match segment {
+                PathSegment::MoveTo(_) => break,
+                PathSegment::Close => closed = true,
+                _ => {}
+            }
+            len = len.wrapping_add(1);
+            if closed {
+                break;
+            }
+        }
+        let (segments, rest) = self.rest.split_at_checked(len).filter(|_| len > 0)?;
+        self.rest = rest;
+        Some(Contour::new(self.start, segments, closed, self.view))
+    }
+}
 
 /// The vertices of one contour of a [`Path`](super::Path), the first one included, the closing side not.
 #[derive(Clone, Debug)]

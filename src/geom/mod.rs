@@ -25,7 +25,8 @@ mod view;
 mod viewport;
 
 pub use angle::Angle;
-pub use path::{Contours, Path, PathSegment};
+pub use flatten::Contours;
+pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
 pub use point::PointFx;
 pub(crate) use view::View;

@@ -12,8 +12,7 @@
 //! over them; nothing is stored. How curves become lines, and how close those are, is told in
 //! [`flatten`](super::flatten).
 
-use super::{flatten::Contour, view::View, PointFx};
-use crate::rect::Rect;
+use super::point::PointFx;
 
 /// One step of a [`Path`].
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -56,59 +55,5 @@ impl<'a> Path<'a> {
     #[inline]
     pub const fn segments(self) -> &'a [PathSegment] {
         self.segments
-    }
-
-    /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
-    #[inline]
-    pub const fn contours(self) -> Contours<'a> {
-        Contours { rest: self.segments, start: PointFx::from_bits(0, 0), view: View::ALL }
-    }
-
-    /// The same for a fill that only `window` will show: the pixels there are the same, the vertices that do not matter to
-    /// them are fewer, and their number depends on the window instead of on the size of the curves.
-    #[inline]
-    pub fn contours_in(self, window: Rect) -> Contours<'a> {
-        Contours { view: View::of(window, 0), ..self.contours() }
-    }
-
-    /// For what is drawn up to `reach` units around its lines.
-    #[inline]
-    pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
-        Contours { view: View::of(window, reach), ..self.contours() }
-    }
-}
-
-/// The contours of a [`Path`].
-#[derive(Clone, Debug)]
-pub struct Contours<'a> {
-    rest: &'a [PathSegment],
-    /// Where a contour without a move starts.
-    start: PointFx,
-    view: View,
-}
-
-impl<'a> Iterator for Contours<'a> {
-    type Item = Contour<'a>;
-
-    #[inline(never)]
-    fn next(&mut self) -> Option<Contour<'a>> {
-        while let [PathSegment::MoveTo(start), rest @ ..] = self.rest {
-            (self.start, self.rest) = (*start, rest);
-        }
-        let (mut len, mut closed) = (0_usize, false);
-        for segment in self.rest {
-            match segment {
-                PathSegment::MoveTo(_) => break,
-                PathSegment::Close => closed = true,
-                _ => {}
-            }
-            len = len.wrapping_add(1);
-            if closed {
-                break;
-            }
-        }
-        let (segments, rest) = self.rest.split_at_checked(len).filter(|_| len > 0)?;
-        self.rest = rest;
-        Some(Contour::new(self.start, segments, closed, self.view))
     }
 }

@@ -17,9 +17,8 @@
 use core::{borrow::Borrow, cmp::Ordering};
 
 use super::{
-    bits,
     exact::{cross_sign, turn_at, Place},
-    PointFx,
+    point::{bits, PointFx},
 };
 use crate::num::round::difference;
 

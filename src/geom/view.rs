@@ -1,6 +1,6 @@
 //! [`View`]: a window as shapes see it.
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::{num::cast::saturate, rect::Rect};
 
 /// What may be seen: places in 24.8 units, all four sides included.

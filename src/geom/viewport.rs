@@ -17,7 +17,7 @@ use core::num::NonZeroU32;
 
 use fixed::types::I16F16;
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::{
     num::{
         cast::{saturate, signed_wide},

@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use super::Mesh;
+use super::mesh::Mesh;
 use crate::geom::exact::turn_at;
 
 /// The node is on no loop any more.

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, SideSlot};
+use super::mesh::{down, in_sector, Mesh, SideSlot};
 use crate::{
     geom::exact::{turn_at, Place},
     num::round::difference,

@@ -28,41 +28,13 @@
 
 mod ears;
 mod loops;
+mod mesh;
 mod sides;
 
-use core::{cmp::Ordering, ops::Range};
-
-use self::sides::Sides;
-use super::{
-    bits,
-    exact::{turn_at, Place},
-    PointFx,
-};
+pub use self::mesh::SideSlot;
+use self::{mesh::Mesh, sides::Sides};
+use super::point::PointFx;
 use crate::error::TriangulateError;
-
-/// One slot of scratch memory: a side and the corner where it starts.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct SideSlot {
-    /// The vertex where the side starts.
-    vertex: u16,
-    /// The vertex where it ended when it was loaded.
-    end: u16,
-    /// The node before it on its loop.
-    prev: u16,
-    /// The node after it.
-    next: u16,
-    /// What is known of the corner.
-    flags: u16,
-}
-
-impl SideSlot {
-    /// An empty slot, to make a table of.
-    /// ```
-    /// use embedded_raster::geom::triangulate::SideSlot;
-    /// static mut NODES: [SideSlot; 64] = [SideSlot::EMPTY; 64];
-    /// ```
-    pub const EMPTY: Self = Self { vertex: 0, end: 0, prev: 0, next: 0, flags: 0 };
-}
 
 /// The largest number of nodes: the last number is never used.
 const LIMIT: usize = u16::MAX as usize;
@@ -148,7 +120,7 @@ fn check(sides: Sides<'_>, further: usize, capacity: usize) -> Result<usize, Tri
 }
 
 fn run(sides: Sides<'_>, nodes: &mut [SideSlot], emit: impl FnMut([u16; 3])) {
-    let mut mesh = Mesh { vertices: sides.vertices(), nodes, len: 0 };
+    let mut mesh = Mesh::new(sides.vertices(), nodes);
     mesh.load(sides);
     mesh.split();
     mesh.cancel();
@@ -156,105 +128,4 @@ fn run(sides: Sides<'_>, nodes: &mut [SideSlot], emit: impl FnMut([u16; 3])) {
     mesh.link();
     mesh.bridge_holes();
     mesh.cut_ears(emit);
-}
-
-/// The nodes in use, over the vertices that they name.
-struct Mesh<'a> {
-    vertices: &'a [PointFx],
-    nodes: &'a mut [SideSlot],
-    len: usize,
-}
-
-impl Mesh<'_> {
-    /// The numbers of the nodes in use.
-    #[inline(always)]
-    fn numbers(&self) -> Range<u16> {
-        0..u16::try_from(self.len).unwrap_or(u16::MAX)
-    }
-
-    #[inline(always)]
-    fn node(&self, i: u16) -> SideSlot {
-        self.nodes.get(usize::from(i)).copied().unwrap_or(SideSlot::EMPTY)
-    }
-
-    #[inline(always)]
-    fn set(&mut self, i: u16, change: impl FnOnce(&mut SideSlot)) {
-        if let Some(node) = self.nodes.get_mut(usize::from(i)) {
-            change(node);
-        }
-    }
-
-    /// Adds a node and returns its number. There is room: it was counted.
-    fn push(&mut self, node: SideSlot) -> u16 {
-        let at = self.len;
-        if let Some(slot) = self.nodes.get_mut(at) {
-            *slot = node;
-            self.len = at.wrapping_add(1);
-        }
-        u16::try_from(at).unwrap_or(u16::MAX)
-    }
-
-    /// Where a vertex is.
-    #[inline(always)]
-    fn place(&self, vertex: u16) -> Place {
-        self.vertices.get(usize::from(vertex)).copied().map_or((0, 0), bits)
-    }
-
-    /// Where a node is, and the nodes before and after it: the two ends of its sector, backwards.
-    #[inline(never)]
-    fn corner(&self, i: u16) -> [Place; 3] {
-        let node = self.node(i);
-        [self.node(node.prev).vertex, node.vertex, self.node(node.next).vertex].map(|vertex| self.place(vertex))
-    }
-
-    /// Makes one node the next of another.
-    #[inline(never)]
-    fn join(&mut self, from: u16, to: u16) {
-        self.set(from, |node| node.next = to);
-        self.set(to, |node| node.prev = from);
-    }
-
-    /// Visits the nodes of a loop from `from` on up to, and without, `to`; all of them if that is the same.
-    #[inline]
-    fn walk(&mut self, from: u16, to: u16, mut visit: impl FnMut(&mut Self, u16)) {
-        let mut i = from;
-        // A loop has no more nodes than there are.
-        for _ in 0..self.len {
-            visit(self, i);
-            i = self.node(i).next;
-            if i == to {
-                break;
-            }
-        }
-    }
-
-    /// The upper of two vertices, then the lower.
-    #[inline(never)]
-    fn downwards(&self, a: u16, b: u16) -> (u16, u16) {
-        if down(self.place(a)) < down(self.place(b)) {
-            (a, b)
-        } else {
-            (b, a)
-        }
-    }
-}
-
-/// Whether `p` lies inside of the sector of a corner: clockwise from the side that leaves it and before the one that comes.
-#[inline(never)]
-fn in_sector([before, at, after]: [Place; 3], p: Place) -> bool {
-    let after_side = turn_at(at, after, p) == Ordering::Greater;
-    let before_side = turn_at(at, p, before) == Ordering::Greater;
-    if turn_at(at, after, before) == Ordering::Greater {
-        after_side && before_side
-    } else {
-        // The rest of the round is a sector below a half turn, or a half turn: outside are it and its ends.
-        after_side || before_side
-    }
-}
-
-/// The order in which rows are walked: from the top down, and from left to right. It is that of a plane sheared so little
-/// that no two vertices share a row, and no side is horizontal.
-#[inline(always)]
-fn down(p: Place) -> (i32, i32) {
-    (p.1, p.0)
 }

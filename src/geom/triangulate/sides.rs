@@ -2,11 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, SideSlot};
+use super::mesh::{down, in_sector, Mesh, SideSlot};
 use crate::geom::{
-    bits,
     exact::{turn_at, Place},
-    PointFx,
+    point::{bits, PointFx},
 };
 
 /// The sides of all contours, as the numbers of the vertices where they start and end.
