@@ -2,7 +2,8 @@
 //!
 //! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface ([`BufferError`]),
 //! a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be cut into triangles
-//! ([`TriangulateError`]). [`Error`] is any of them, for programs that pass all on with `?`.
+//! ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the crossings of a line
+//! with a polygon ([`CrossingListFull`]). [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
 
@@ -91,6 +92,35 @@ pub enum TriangulateError {
     },
 }
 
+/// Why the contours of a path could not be written to two lists.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FlattenError {
+    /// The path has more vertices than their list has slots.
+    VertexListFull {
+        /// Slots of the list; of a longer one, 65,535 count.
+        capacity: usize,
+        /// Vertices of all contours.
+        needed: usize,
+    },
+    /// The path has more contours than the list of their starts has slots for.
+    StartListFull {
+        /// Slots of the list.
+        capacity: usize,
+        /// Contours after the first one.
+        needed: usize,
+    },
+}
+
+/// A line crosses more sides of a polygon than the list of crossings has slots.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct CrossingListFull {
+    /// Slots of the list.
+    pub capacity: usize,
+    /// Sides that the line crosses.
+    pub needed: usize,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -101,6 +131,10 @@ pub enum Error {
     EdgeTable(EdgeTableFull),
     /// A polygon could not be cut into triangles.
     Triangulate(TriangulateError),
+    /// A path could not be written to lists.
+    Flatten(FlattenError),
+    /// The crossings of a line with a polygon could not be written to a list.
+    CrossingList(CrossingListFull),
 }
 
 impl fmt::Display for BufferError {
@@ -143,12 +177,34 @@ impl fmt::Display for TriangulateError {
     }
 }
 
+impl fmt::Display for FlattenError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::VertexListFull { capacity, needed } => {
+                write!(f, "vertex list full: the path has {needed} vertices, the list holds {capacity}")
+            }
+            Self::StartListFull { capacity, needed } => {
+                write!(f, "start list full: {needed} contours follow the first one, the list holds {capacity}")
+            }
+        }
+    }
+}
+
+impl fmt::Display for CrossingListFull {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { capacity, needed } = *self;
+        write!(f, "crossing list full: the line crosses {needed} sides, the list holds {capacity}")
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Buffer(error) => error.fmt(f),
             Self::EdgeTable(error) => error.fmt(f),
             Self::Triangulate(error) => error.fmt(f),
+            Self::Flatten(error) => error.fmt(f),
+            Self::CrossingList(error) => error.fmt(f),
         }
     }
 }
@@ -156,6 +212,8 @@ impl fmt::Display for Error {
 impl core::error::Error for BufferError {}
 impl core::error::Error for EdgeTableFull {}
 impl core::error::Error for TriangulateError {}
+impl core::error::Error for FlattenError {}
+impl core::error::Error for CrossingListFull {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -173,5 +231,17 @@ impl From<EdgeTableFull> for Error {
 impl From<TriangulateError> for Error {
     fn from(error: TriangulateError) -> Self {
         Self::Triangulate(error)
+    }
+}
+
+impl From<FlattenError> for Error {
+    fn from(error: FlattenError) -> Self {
+        Self::Flatten(error)
+    }
+}
+
+impl From<CrossingListFull> for Error {
+    fn from(error: CrossingListFull) -> Self {
+        Self::CrossingList(error)
     }
 }

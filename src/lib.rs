@@ -19,7 +19,7 @@ pub mod surface;
 mod target;
 
 pub use canvas::Canvas;
-pub use error::{BufferError, EdgeTableFull, Error, TriangulateError};
+pub use error::{BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangulateError};
 pub use geom::{Angle, Path, PathSegment, PointFx, Viewport};
 pub use octants::Octants;
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};

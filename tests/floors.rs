@@ -244,9 +244,9 @@ fn paths_are_found_in_files() {
     assert_eq!(file("core::cmp::Ordering", "geom/clip.rs"), Some("geom/clip.rs".to_owned()));
 }
 
-/// What a firmware takes over with this crate is three small crates; each has its reason in Cargo.toml.
+/// What a firmware takes over with this crate is four small crates; each has its reason in Cargo.toml.
 #[test]
-fn the_dependencies_are_the_three() {
+fn the_dependencies_are_the_four() {
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).expect("a manifest");
     let section = manifest.split("\n[dependencies]\n").nth(1).expect("a list of dependencies");
     let section = section.split("\n[").next().expect("at least its start");
@@ -257,7 +257,7 @@ fn the_dependencies_are_the_three() {
         .map(|(n, _)| n.trim())
         .collect();
     names.sort_unstable();
-    assert_eq!(names, ["bytemuck", "embedded-graphics-core", "fixed"]);
+    assert_eq!(names, ["bytemuck", "embedded-graphics-core", "fixed", "heapless"]);
     assert!(!manifest.contains("[build-dependencies]"), "nothing is built for the build");
     assert!(!manifest.contains("[target."), "no chip has dependencies of its own");
     // No default features: they are where alloc, std and serde come in. (embedded-graphics-core has none by default.)

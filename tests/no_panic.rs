@@ -27,7 +27,7 @@ use embedded_raster::{
     eg::{draw_on, recolored},
     geom::{
         clip, delaunay, exact,
-        polygon::{contains, is_convex, orientation, twice_area},
+        polygon::{contains, crossings, is_convex, orientation, twice_area},
         triangulate::{self, SideSlot},
         Viewport,
     },
@@ -306,6 +306,7 @@ fn paths_and_strokes() {
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
         black_box(polygon::fill(path.contours_in(window), rule, window, &mut table, look).is_ok());
         outline::draw(path, window, look);
+        black_box(path.outlines::<50, 2>().map_err(|e| e.to_string()).is_ok());
         let stroke = wild_stroke(&mut rng);
         black_box(polygon::fill(stroke.of_path(path, window), rule, window, &mut table, look).is_ok());
         // Dashes measure the whole way: not often.
@@ -341,6 +342,7 @@ fn polygon_tools() {
         let outline: Vec<PointFx> = (0..rng.index(9)).map(|_| wild_vertex(&mut rng)).collect();
         black_box((is_convex(&outline), twice_area(&outline), orientation(&outline)));
         black_box(contains([&outline], FillRule::NonZero, wild_vertex(&mut rng)));
+        black_box(crossings::<_, 4>([&outline], I24F8::from_bits(wild(&mut rng))).map_err(|e| e.to_string()).is_ok());
         let [a, b, c, d] = [(); 4].map(|()| wild_vertex(&mut rng));
         black_box((exact::turn(a, b, c), exact::in_circle(a, b, c, d), clip::segment(a, b, [c, d])));
         let [low, high, at] = [(); 3].map(|()| [wild(&mut rng), wild(&mut rng)]);
@@ -361,6 +363,7 @@ fn triangulations() {
             (0..rng.index(4)).map(|_| if rng.one_in(9) { wild_u16(&mut rng) } else { rng.below(13) as u16 }).collect();
         let mut nodes = vec![SideSlot::EMPTY; rng.index(60)];
         let mut triangles = vec![[0; 3]; rng.index(40)];
+        black_box(triangulate::to_vec::<9>(&vertices, &starts, &mut nodes).is_ok());
         match triangulate::list(&vertices, &starts, &mut nodes, &mut triangles) {
             Ok(count) => triangles.truncate(count),
             Err(error) => {

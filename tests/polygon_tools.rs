@@ -13,13 +13,13 @@ use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
     geom::{
         clip,
-        polygon::{contains, is_convex, orientation, twice_area},
+        polygon::{contains, crossings, is_convex, orientation, twice_area},
         Viewport,
     },
     raster::polygon,
-    EdgeSlot, FillRule, PointFx, Rect,
+    CrossingListFull, EdgeSlot, FillRule, PointFx, Rect,
 };
-use fixed::types::I16F16;
+use fixed::types::{I16F16, I24F8};
 use support::{
     assert_runs, collect,
     rng::Rng,
@@ -160,6 +160,49 @@ fn places_in_polygons() {
         }
     }
     assert!(inside > 50_000, "only {inside} places were inside");
+}
+
+#[test]
+fn crossings_of_a_line_with_a_polygon() {
+    let mut rng = Rng::new(705);
+    let (mut many, mut found_in_all) = (0, 0);
+    for i in 0..60_000 {
+        let n = 2 + rng.index(12);
+        let all = outline(&mut rng, Scale::ALL[i % 4], n);
+        let contours = [all[..n / 2].to_vec(), all[n / 2..].to_vec()];
+        let places: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
+        let y = match rng.below(3) {
+            0 => rng.pick(&all).1,
+            1 => i32::midpoint(rng.pick(&all).1, rng.pick(&all).1),
+            _ => rng.pick(&all).1.saturating_add(rng.int(-300, 300)),
+        };
+        let mut wanted: Vec<(i32, bool)> = twins::sides(&contours)
+            .filter(|(a, b)| (a.1 <= y) != (b.1 <= y))
+            .map(|(a, b)| (map_twin(y, (a.1, b.1), (a.0, b.0)), a.1 < b.1))
+            .collect();
+        wanted.sort_unstable();
+        let result = crossings::<_, 6>(&places, I24F8::from_bits(y));
+        if wanted.len() > 6 {
+            assert_eq!(result, Err(CrossingListFull { capacity: 6, needed: wanted.len() }), "{y} {contours:?}");
+            many += 1;
+            continue;
+        }
+        let found = result.expect("there is room");
+        assert!(found.is_sorted_by_key(|crossing| crossing.x), "{found:?}");
+        let mut got: Vec<(i32, bool)> = found.iter().map(|c| (c.x.to_bits(), c.goes_down)).collect();
+        got.sort_unstable();
+        assert_eq!(got, wanted, "{y} {contours:?}");
+        found_in_all += found.len();
+        // Between two of them nothing changes: an odd number lies to the left inside of the polygon.
+        for (k, pair) in found.windows(2).enumerate() {
+            let (left, right) = (pair[0].x.to_bits(), pair[1].x.to_bits());
+            if left.checked_add(2).is_some_and(|after| after < right) {
+                let inside = contains(&places, FillRule::EvenOdd, PointFx::from_bits(left + 1, y));
+                assert_eq!(inside, k % 2 == 0, "right of crossing {k}, {y} {contours:?}");
+            }
+        }
+    }
+    assert!(many > 1_000 && found_in_all > 50_000, "{many} were too many, {found_in_all} in all");
 }
 
 #[test]

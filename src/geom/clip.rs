@@ -105,6 +105,12 @@ fn fraction(a: i32, b: i32, side: i32) -> Option<Fraction> {
     Some(Fraction { number: side.abs_diff(a), of: NonZeroU32::new(b.abs_diff(a))? })
 }
 
+/// Where a segment that goes from `from.0` to `from.1` on one axis, and from `to.0` to `to.1` on the other, passes `v` of the
+/// first axis, which lies between its ends: the place on the other axis, rounded to nearest, halves up.
+pub(super) fn place_between(from: (i32, i32), to: (i32, i32), v: i32) -> i32 {
+    fraction(from.0, from.1, v).map_or(to.0, |t| along(to.0, to.1, t))
+}
+
 /// `a + t (b - a)`, rounded to nearest, halves up.
 fn along(a: i32, b: i32, t: Fraction) -> i32 {
     let (whole, rest) = div_rem_wide(u64::from(b.abs_diff(a)) * u64::from(t.number), t.of);

@@ -19,6 +19,7 @@ pub mod polygon;
 pub mod triangulate;
 
 mod angle;
+mod outlines;
 mod path;
 mod point;
 mod view;
@@ -26,6 +27,7 @@ mod viewport;
 
 pub use angle::Angle;
 pub use flatten::Contours;
+pub use outlines::Outlines;
 pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
 pub use point::PointFx;

@@ -1,4 +1,5 @@
-//! What can be asked of a polygon: is it convex, which way round does it go, how large is it, is a place inside?
+//! What can be asked of a polygon: is it convex, which way round does it go, how large is it, is a place inside, where does
+//! a horizontal line cross it?
 //!
 //! Outlines are closed by themselves, the last vertex joined to the first. Vertices that repeat the one before or lie in
 //! the middle of a straight side never change an answer.
@@ -14,13 +15,17 @@
 //! exactly on a side counts as if it stood at (+e, +e^2). Source: the crossings of a ray, M. Shimrat, "Algorithm 112",
 //! Communications of the ACM 5, 1962, with the half-open rows of the rasterizer.
 
-use core::{borrow::Borrow, cmp::Ordering};
+use core::{borrow::Borrow, cmp::Ordering, mem::swap};
+
+use fixed::types::I24F8;
+use heapless::Vec;
 
 use super::{
+    clip::place_between,
     exact::{cross_sign, turn_at, Place},
     point::{bits, PointFx},
 };
-use crate::num::round::difference;
+use crate::{error::CrossingListFull, num::round::difference};
 
 /// Which regions of a contour that crosses itself, or of several contours, are inside.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -179,4 +184,70 @@ where
         });
     }
     winding & rule.mask() != 0
+}
+
+/// Where a horizontal line crosses a side of a polygon.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Crossing {
+    /// The exact place, rounded to the nearest 1/256 pixel, halves to the right.
+    pub x: I24F8,
+    /// The side goes down the screen from where it starts to where it ends; otherwise it goes up.
+    pub goes_down: bool,
+}
+
+/// Where a horizontal line at height `y` crosses the sides of a polygon, from left to right.
+///
+/// * `contours`: closed outlines, as for [`contains`].
+/// * `N`: how many crossings there is room for.
+///
+/// A side that ends exactly on the line counts if the rest of it lies below, and a horizontal side never does, so the
+/// number of crossings is always even. By the even-odd rule the line is inside of the polygon from the first crossing to
+/// the second, from the third to the fourth, and so on: what hatching draws. Crossings that are rounded to the same x come
+/// in any order.
+///
+/// # Errors
+/// [`CrossingListFull`] if there are more than `N`.
+/// ```
+/// use embedded_raster::{geom::polygon::crossings, CrossingListFull, PointFx};
+/// use fixed::types::I24F8;
+/// let letter_v = [(0, 0), (3, 0), (5, 6), (7, 0), (10, 0), (5, 9)].map(|(x, y)| PointFx::px(x, y));
+/// let found = crossings::<_, 4>([&letter_v], I24F8::from_num(3))?;
+/// let x: Vec<f32> = found.iter().map(|crossing| crossing.x.to_num()).collect();
+/// assert_eq!(x, [1.66796875, 4.0, 6.0, 8.33203125]);
+/// let error = crossings::<_, 1>([&letter_v], I24F8::from_num(3)).unwrap_err();
+/// assert_eq!(error, CrossingListFull { capacity: 1, needed: 4 });
+/// # Ok::<(), CrossingListFull>(())
+/// ```
+pub fn crossings<C, const N: usize>(contours: C, y: I24F8) -> Result<Vec<Crossing, N>, CrossingListFull>
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let (y, mut found, mut needed) = (y.to_bits(), Vec::new(), 0_usize);
+    for contour in contours {
+        sides(contour, |a, b| {
+            let (a_is_above, b_is_above) = (a.1 <= y, b.1 <= y);
+            if a_is_above != b_is_above {
+                let x = I24F8::from_bits(place_between((a.1, b.1), (a.0, b.0), y));
+                insert(&mut found, Crossing { x, goes_down: a_is_above });
+                needed = needed.saturating_add(1);
+            }
+        });
+    }
+    if needed > N {
+        return Err(CrossingListFull { capacity: N, needed });
+    }
+    Ok(found)
+}
+
+/// Inserts a crossing before those that lie further right. Of a full list the last one gets lost.
+fn insert<const N: usize>(list: &mut Vec<Crossing, N>, new: Crossing) {
+    let mut next = new;
+    for crossing in list.iter_mut() {
+        if next.x < crossing.x {
+            swap(crossing, &mut next);
+        }
+    }
+    list.push(next).unwrap_or(());
 }

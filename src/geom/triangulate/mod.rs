@@ -31,25 +31,28 @@ mod loops;
 mod mesh;
 mod sides;
 
+use heapless::Vec;
+
 pub use self::mesh::SideSlot;
 use self::{mesh::Mesh, sides::Sides};
 use super::point::PointFx;
 use crate::error::TriangulateError;
 
-/// The largest number of nodes: the last number is never used.
+/// The largest number of slots that are used: nodes have numbers of 16 bits, and the last number is never used.
 const LIMIT: usize = u16::MAX as usize;
 
 /// Emits the triangles of a polygon, as numbers of its vertices.
 ///
-/// * `vertices`: those of all contours, one contour after the other; each is closed by itself.
-/// * `starts`: the numbers of the first vertices of the second, third, ... contour; `&[]` if there is but one.
-/// * `nodes`: scratch memory. A slot for every vertex, two for each entry of `starts`, and one for every place where a
-///   vertex lies on a side between its ends are enough.
+/// * `vertices`: those of all contours, one contour after the other. The last vertex of each is joined to its first one.
+/// * `starts`: the numbers of the first vertices of the second, third, ... contour; `&[]` if there is only one contour.
+/// * `slots`: scratch memory. One for every vertex, two for each entry of `starts`, and one for every place where a vertex
+///   lies on a side between its ends are enough.
 ///
 /// # Errors
-/// [`TriangulateError::SidesCross`] with the first two sides that do, or else [`TriangulateError::SideTableFull`]. Nothing was emitted then.
+/// [`TriangulateError::SidesCross`] with the first two sides that do, or else [`TriangulateError::SideTableFull`]. Nothing was
+/// emitted then.
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx, TriangulateError};
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, PointFx, TriangulateError};
 /// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = vec![];
 /// triangulate::each(&arrow, &[], &mut [SideSlot::EMPTY; 4], |triangle| triangles.push(triangle))?;
@@ -62,25 +65,25 @@ const LIMIT: usize = u16::MAX as usize;
 pub fn each(
     vertices: &[PointFx],
     starts: &[u16],
-    nodes: &mut [SideSlot],
+    slots: &mut [SideSlot],
     emit: impl FnMut([u16; 3]),
 ) -> Result<(), TriangulateError> {
     let sides = Sides::new(vertices, starts);
-    check(sides, starts.len(), nodes.len().min(LIMIT))?;
-    run(sides, nodes, emit);
+    check(sides, starts.len(), slots.len(), usize::MAX)?;
+    run(sides, slots, emit);
     Ok(())
 }
 
 /// Writes the triangles of a polygon, as numbers of its vertices, to a table; says how many there are.
 ///
-/// * `triangles`: two slots less than `nodes` needs are enough.
+/// * `triangles`: two slots less than [`each`] needs of `slots` are enough.
 ///
-/// For the rest, and an example, see [`each`].
+/// The other arguments are those of [`each`]. For a vector as the result see [`to_vec`].
 ///
 /// # Errors
 /// Those of [`each`], or else [`TriangulateError::TriangleTableFull`].
 /// ```
-/// use embedded_raster::{geom::triangulate::{self, SideSlot}, Error, PointFx, TriangulateError};
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, PointFx, TriangulateError};
 /// let frame = [(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (6, 3), (6, 6), (3, 6)].map(|(x, y)| PointFx::px(x, y));
 /// let mut triangles = [[0; 3]; 8];
 /// assert_eq!(triangulate::list(&frame, &[4], &mut [SideSlot::EMPTY; 10], &mut triangles)?, 8);
@@ -89,16 +92,13 @@ pub fn each(
 pub fn list(
     vertices: &[PointFx],
     starts: &[u16],
-    nodes: &mut [SideSlot],
+    slots: &mut [SideSlot],
     triangles: &mut [[u16; 3]],
 ) -> Result<usize, TriangulateError> {
     let sides = Sides::new(vertices, starts);
-    let needed = check(sides, starts.len(), nodes.len().min(LIMIT))?.saturating_sub(2);
-    if triangles.len() < needed {
-        return Err(TriangulateError::TriangleTableFull { capacity: triangles.len(), needed });
-    }
+    check(sides, starts.len(), slots.len(), triangles.len())?;
     let mut count = 0_usize;
-    run(sides, nodes, |triangle| {
+    run(sides, slots, |triangle| {
         if let Some(slot) = triangles.get_mut(count) {
             *slot = triangle;
             count = count.wrapping_add(1);
@@ -107,20 +107,52 @@ pub fn list(
     Ok(count)
 }
 
-/// What can go wrong; or how many nodes are enough.
-fn check(sides: Sides<'_>, further: usize, capacity: usize) -> Result<usize, TriangulateError> {
+/// The triangles of a polygon, as numbers of its vertices.
+///
+/// `N`, the number of triangles that there is room for, is enough if it is two less than [`each`] needs of `slots`. The
+/// arguments are those of [`each`].
+///
+/// # Errors
+/// Those of [`each`], or else [`TriangulateError::TriangleTableFull`].
+/// ```
+/// use embedded_raster::{geom::triangulate::{self, SideSlot}, PointFx, TriangulateError};
+/// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| PointFx::px(x, y));
+/// let triangles = triangulate::to_vec::<8>(&arrow, &[], &mut [SideSlot::EMPTY; 4])?;
+/// assert_eq!(triangles, [[3, 0, 1], [1, 2, 3]]);
+/// # Ok::<(), TriangulateError>(())
+/// ```
+pub fn to_vec<const N: usize>(
+    vertices: &[PointFx],
+    starts: &[u16],
+    slots: &mut [SideSlot],
+) -> Result<Vec<[u16; 3], N>, TriangulateError> {
+    let sides = Sides::new(vertices, starts);
+    check(sides, starts.len(), slots.len(), N)?;
+    let mut triangles = Vec::new();
+    // There is room for every one of them: that was checked.
+    run(sides, slots, |triangle| triangles.push(triangle).unwrap_or(()));
+    Ok(triangles)
+}
+
+/// What can go wrong with a polygon that has so many `further` contours, in tables of so many slots.
+fn check(sides: Sides<'_>, further: usize, slots: usize, triangles: usize) -> Result<(), TriangulateError> {
     if let Some((first, second)) = sides.crossing() {
         return Err(TriangulateError::SidesCross { first, second });
     }
     let needed = sides.count().saturating_add(further.saturating_mul(2)).saturating_add(sides.touches());
+    let capacity = slots.min(LIMIT);
     if needed > capacity {
         return Err(TriangulateError::SideTableFull { capacity, needed });
     }
-    Ok(needed)
+    let needed = needed.saturating_sub(2);
+    if needed > triangles {
+        return Err(TriangulateError::TriangleTableFull { capacity: triangles, needed });
+    }
+    Ok(())
 }
 
-fn run(sides: Sides<'_>, nodes: &mut [SideSlot], emit: impl FnMut([u16; 3])) {
-    let mut mesh = Mesh::new(sides.vertices(), nodes);
+fn run(sides: Sides<'_>, slots: &mut [SideSlot], emit: impl FnMut([u16; 3])) {
+    let mut mesh = Mesh::new(sides.vertices(), slots);
     mesh.load(sides);
     mesh.split();
     mesh.cancel();
