@@ -347,7 +347,7 @@ fn polygon_tools() {
         black_box((exact::turn(a, b, c), exact::in_circle(a, b, c, d), clip::segment(a, b, [c, d])));
         let [low, high, at] = [(); 3].map(|()| [wild(&mut rng), wild(&mut rng)]);
         let view = Viewport::from_bits(low, high, wild_rect(&mut rng)).with_y_up();
-        black_box((view.vertex_from_bits(at), view.place_bits(a), view.place(b)));
+        black_box((view.bits_to_screen(at), view.to_plane_bits(a), view.to_plane(b)));
     }
 }
 

@@ -276,26 +276,26 @@ fn viewports() {
         let (plane_x, plane_y) = ((low[0], high[0]), (low[1], high[1]));
         for _ in 0..4 {
             let (x, y) = (any_number(&mut rng), any_number(&mut rng));
-            let vertex = units(view.vertex_from_bits([x, y]));
+            let vertex = units(view.bits_to_screen([x, y]));
             let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
             assert_eq!(vertex, wanted, "({x}, {y}) in {view:?}");
-            let place = view.place_bits(PointFx::from_bits(x, y));
+            let place = view.to_plane_bits(PointFx::from_bits(x, y));
             let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
             assert_eq!(place, wanted, "back from ({x}, {y}) in {view:?}");
             // Order is kept: the next number is not on the other side.
-            let next = units(view.vertex_from_bits([x.saturating_add(1), y])).0;
+            let next = units(view.bits_to_screen([x.saturating_add(1), y])).0;
             let grows = (low[0] <= high[0]) == (screen_x.0 <= screen_x.1);
             assert!(if grows { next >= vertex.0 } else { next <= vertex.0 }, "{x} and the next in {view:?}");
             // Where the plane is no coarser, the screen and back is no change, as far as the plane goes.
             let is_finer = plane_x.0.abs_diff(plane_x.1) >= screen_x.0.abs_diff(screen_x.1) && screen_x.0 != screen_x.1;
             if is_finer && place[0] != i32::MIN && place[0] != i32::MAX {
-                assert_eq!(units(view.vertex_from_bits(place)).0, x, "there and back in {view:?}");
+                assert_eq!(units(view.bits_to_screen(place)).0, x, "there and back in {view:?}");
                 there_and_back += 1;
             }
         }
         if low[0] != high[0] && low[1] != high[1] {
-            assert_eq!(units(view.vertex_from_bits(low)), (screen_x.0, screen_y.0), "{view:?}");
-            assert_eq!(units(view.vertex_from_bits(high)), (screen_x.1, screen_y.1), "{view:?}");
+            assert_eq!(units(view.bits_to_screen(low)), (screen_x.0, screen_y.0), "{view:?}");
+            assert_eq!(units(view.bits_to_screen(high)), (screen_x.1, screen_y.1), "{view:?}");
         }
     }
     assert!(there_and_back > 50_000, "only {there_and_back} there and back");
@@ -305,21 +305,21 @@ fn viewports() {
 fn the_unit_square_on_a_screen() {
     let one = I16F16::ONE;
     let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240));
-    assert_eq!(view.vertex(-one, -one), PointFx::px(0, 0));
-    assert_eq!(view.vertex(one, one), PointFx::px(320, 240));
+    assert_eq!(view.to_screen(-one, -one), PointFx::px(0, 0));
+    assert_eq!(view.to_screen(one, one), PointFx::px(320, 240));
     let up = view.with_y_up();
-    assert_eq!(up.vertex(-one, -one), PointFx::px(0, 240));
-    assert_eq!(up.vertex(one, one), PointFx::px(320, 0));
+    assert_eq!(up.to_screen(-one, -one), PointFx::px(0, 240));
+    assert_eq!(up.to_screen(one, one), PointFx::px(320, 0));
     assert_eq!(up.with_y_up(), view);
     for x in -3..330 {
         for y in [-9, 0, 1, 119, 240, 300] {
             let at = PointFx::px(x, y);
-            let [px, py] = up.place(at);
-            assert_eq!(up.vertex(px, py), at);
+            let [px, py] = up.to_plane(at);
+            assert_eq!(up.to_screen(px, py), at);
         }
     }
-    assert_eq!(up.vertex(I16F16::MAX, I16F16::MIN), PointFx::from_bits(1_342_218_239, 1_006_663_680));
+    assert_eq!(up.to_screen(I16F16::MAX, I16F16::MIN), PointFx::from_bits(1_342_218_239, 1_006_663_680));
     let largest = Rect::new(i32::MIN, 0, i32::MAX, 1);
-    let far = Viewport::new([-one, -one], [one, one], largest).vertex(I16F16::MAX, one);
+    let far = Viewport::new([-one, -one], [one, one], largest).to_screen(I16F16::MAX, one);
     assert_eq!(far, PointFx::from_bits(i32::MAX, 256), "it stops at the end");
 }

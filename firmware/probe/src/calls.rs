@@ -400,7 +400,7 @@ pub extern "C" fn clip_segment(p: [[i32; 2]; 4], out: &mut Option<Clipped>) {
 pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut PointFx) -> i32 {
     let [x0, y0, x1, y1] = area;
     let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
-    *out = view.vertex_from_bits(at);
-    let [x, y] = view.place_bits(vertex(at));
+    *out = view.bits_to_screen(at);
+    let [x, y] = view.to_plane_bits(vertex(at));
     x ^ y
 }
