@@ -18,6 +18,7 @@ use core::fmt;
 /// assert_eq!(error, BufferError::TooSmall { needed: 128, given: 100 });
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BufferError {
     /// The slice is shorter than the surface. Both counts are bytes; `needed` stops at `usize::MAX`.
@@ -56,6 +57,7 @@ pub enum BufferError {
 
 /// One row alone is crossed by more edges than the edge table has slots.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EdgeTableFull {
     /// Slots of the table; of a longer one, 65,535 count.
     pub capacity: usize,
@@ -67,6 +69,7 @@ pub struct EdgeTableFull {
 
 /// Why a polygon could not be cut into triangles.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TriangulateError {
     /// Two sides cross. Each is given by the number of the vertex where it starts.
@@ -94,6 +97,7 @@ pub enum TriangulateError {
 
 /// Why the contours of a path could not be written to two lists.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum FlattenError {
     /// The path has more vertices than their list has slots.
@@ -114,6 +118,7 @@ pub enum FlattenError {
 
 /// A line crosses more sides of a polygon than the list of crossings has slots.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CrossingListFull {
     /// Slots of the list.
     pub capacity: usize,
@@ -123,6 +128,7 @@ pub struct CrossingListFull {
 
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A surface could not be made.

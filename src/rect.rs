@@ -18,6 +18,7 @@ use crate::num::cast::{saturate, unsigned};
 /// assert!(a.intersection(Rect::new(320, 0, 400, 9)).is_empty());
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rect {
     /// First column.
     pub x0: i32,

@@ -244,7 +244,8 @@ fn paths_are_found_in_files() {
     assert_eq!(file("core::cmp::Ordering", "geom/clip.rs"), Some("geom/clip.rs".to_owned()));
 }
 
-/// What a firmware takes over with this crate is four small crates; each has its reason in Cargo.toml.
+/// What a firmware takes over with this crate is four small crates, and `defmt` if it asks for it; each has its reason in
+/// Cargo.toml.
 #[test]
 fn the_dependencies_are_the_four() {
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).expect("a manifest");
@@ -257,11 +258,13 @@ fn the_dependencies_are_the_four() {
         .map(|(n, _)| n.trim())
         .collect();
     names.sort_unstable();
-    assert_eq!(names, ["bytemuck", "embedded-graphics-core", "fixed", "heapless"]);
+    assert_eq!(names, ["bytemuck", "defmt", "embedded-graphics-core", "fixed", "heapless"]);
+    assert!(!manifest.contains("\ndefault = "), "optional is what nobody gets without asking");
     assert!(!manifest.contains("[build-dependencies]"), "nothing is built for the build");
     assert!(!manifest.contains("[target."), "no chip has dependencies of its own");
     // No default features: they are where alloc, std and serde come in. (embedded-graphics-core has none by default.)
     for line in section.lines().filter(|l| l.contains('=') && !l.starts_with('#')) {
+        assert_eq!(line.contains("optional = true"), line.starts_with("defmt"), "{line}");
         let plain = line.starts_with("embedded-graphics-core");
         assert!(plain || line.contains("default-features = false"), "{line}");
     }

@@ -26,6 +26,7 @@ use crate::num::{
 /// assert_eq!(quarter * 5, quarter);
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Angle(u32);
 
 impl Angle {

@@ -26,6 +26,7 @@ use crate::num::round::div_rem_wide;
 
 /// How far along a segment a place lies: `number / of`, from 0 to 1.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fraction {
     /// The numerator, at most `of`.
     pub number: u32,
@@ -46,6 +47,7 @@ impl Fraction {
 
 /// The part of a segment that lies in a rectangle.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Clipped {
     /// Its ends, in the direction of the segment, rounded to the nearest unit and never outside.
     pub ends: [PointFx; 2],

@@ -22,6 +22,7 @@ use crate::error::FlattenError;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outlines<const V: usize, const S: usize> {
     /// The vertices of all contours, one contour after the other.
     pub vertices: Vec<PointFx, V>,

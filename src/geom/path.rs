@@ -16,6 +16,7 @@ use super::point::PointFx;
 
 /// One step of a [`Path`].
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PathSegment {
     /// Ends the contour, if there is one, and begins another here.
     MoveTo(PointFx),
@@ -40,6 +41,7 @@ pub enum PathSegment {
 /// assert_eq!(contours[0].len(), 17); // eight sides a curve, each within 1/7 pixel of it
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Path<'a> {
     segments: &'a [PathSegment],
 }

@@ -145,6 +145,15 @@ impl Mul<I24F8> for PointFx {
     }
 }
 
+/// As (3.500, -0.004): decimal fractions, rounded to the nearest thousandth.
+#[cfg(feature = "defmt")]
+impl defmt::Format for PointFx {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [x, y] = [self.x, self.y].map(crate::num::decimal::Decimal::new);
+        defmt::write!(f, "({}, {})", x, y);
+    }
+}
+
 /// In units of 1/256 pixel, the private form of the loops.
 pub(crate) const fn bits(v: PointFx) -> (i32, i32) {
     (v.x.to_bits(), v.y.to_bits())

@@ -29,6 +29,7 @@ use crate::{error::CrossingListFull, num::round::difference};
 
 /// Which regions of a contour that crosses itself, or of several contours, are inside.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FillRule {
     /// Where the contours wind around the place, in either direction.
     #[default]
@@ -193,6 +194,18 @@ pub struct Crossing {
     pub x: I24F8,
     /// The side goes down the screen from where it starts to where it ends; otherwise it goes up.
     pub goes_down: bool,
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Crossing {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "Crossing {{ x: {}, goes_down: {} }}",
+            crate::num::decimal::Decimal::new(self.x),
+            self.goes_down
+        );
+    }
 }
 
 /// Where a horizontal line at height `y` crosses the sides of a polygon, from left to right.

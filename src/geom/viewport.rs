@@ -42,6 +42,7 @@ use crate::{
 /// assert_eq!(view.to_plane(PointFx::px(240, 240)), [one / 2, -one]);
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viewport {
     x: AxisMap,
     y: AxisMap,
@@ -49,6 +50,7 @@ pub struct Viewport {
 
 /// Two ends on the plane, and theirs on the screen.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct AxisMap {
     plane: (i32, i32),
     screen: (i32, i32),

@@ -9,6 +9,8 @@
 //! with numbers at the ends of their type is therefore the same in debug and in release.
 
 pub(crate) mod cast;
+#[cfg(any(feature = "defmt", test))]
+pub(crate) mod decimal;
 pub(crate) mod root;
 pub(crate) mod round;
 pub(crate) mod stepper;

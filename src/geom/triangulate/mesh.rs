@@ -9,6 +9,7 @@ use crate::geom::{
 
 /// One slot of the scratch table: a side of the polygon, and the corner where it starts.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SideSlot {
     /// The vertex where the side starts.
     pub(super) vertex: u16,
