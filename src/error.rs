@@ -1,9 +1,10 @@
 //! What can be wrong with a call, with the numbers that explain it.
 //!
-//! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface ([`BufferError`]),
-//! a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be cut into triangles
-//! ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the crossings of a line
-//! with a polygon ([`CrossingListFull`]). [`Error`] is any of them, for programs that pass all on with `?`.
+//! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface
+//! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
+//! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
+//! crossings of a line with a polygon ([`CrossingListFull`]). [`Error`] is any of them, for programs that pass all on
+//! with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
 

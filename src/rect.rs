@@ -52,8 +52,8 @@ impl Rect {
 
     /// So many columns and rows around the pixel `center`. What would lie beyond the ends of `i32` is cut off.
     ///
-    /// An even number of columns has no middle one: there is one column more on the right of `center` than on its left. Of an
-    /// even number of rows, one more lies below. embedded-graphics' `Rectangle::with_center` does the same.
+    /// An even number of columns has no middle one: there is one column more on the right of `center` than on its left.
+    /// Of an even number of rows, one more lies below. embedded-graphics' `Rectangle::with_center` does the same.
     /// ```
     /// use embedded_graphics_core::{geometry::{Point, Size}, primitives::Rectangle};
     /// use embedded_raster::Rect;
@@ -115,8 +115,8 @@ impl Rect {
         }
     }
 
-    /// Moved by `dx` columns to the right and `dy` rows down. Each side stops at the ends of `i32`, so what would lie beyond
-    /// them is cut off.
+    /// Moved by `dx` columns to the right and `dy` rows down. Each side stops at the ends of `i32`, so what would lie
+    /// beyond them is cut off.
     /// ```
     /// use embedded_raster::Rect;
     /// assert_eq!(Rect::new(0, 0, 4, 2).translate(-3, 10), Rect::new(-3, 10, 1, 12));
@@ -133,8 +133,8 @@ impl Rect {
         }
     }
 
-    /// The same pixels, counted from the pixel (`x`, `y`): moved by `-x` columns and `-y` rows. Each side stops at the ends of
-    /// `i32`.
+    /// The same pixels, counted from the pixel (`x`, `y`): moved by `-x` columns and `-y` rows. Each side stops at the
+    /// ends of `i32`.
     #[inline]
     #[must_use]
     pub const fn relative_to(self, x: i32, y: i32) -> Self {
@@ -148,8 +148,8 @@ impl Rect {
 
     /// Without the `n` outermost rows and columns on each of the four sides; a negative `n` adds as many.
     ///
-    /// Where fewer are left than taken away, the result is empty, and never inside out. What would grow beyond the ends of
-    /// `i32` stops there. An empty rectangle has no pixels to grow from and stays as it is.
+    /// Where fewer are left than taken away, the result is empty, and never inside out. What would grow beyond the ends
+    /// of `i32` stops there. An empty rectangle has no pixels to grow from and stays as it is.
     /// ```
     /// use embedded_raster::Rect;
     /// let a = Rect::new(0, 0, 10, 6);

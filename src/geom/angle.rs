@@ -11,9 +11,9 @@ use crate::num::{
 
 /// A direction: 0 points to the right, and angles grow clockwise as seen on the screen, where y points down.
 ///
-/// It is stored as a number of units of `2^-32` turns. A whole turn is `2^32` units, one more than the largest `u32`, so
-/// arithmetic that wraps around at the end of `u32` wraps around at a whole turn: sums, differences and products are exact,
-/// and whole turns drop out of them.
+/// It is stored as a number of units of `2^-32` turns. A whole turn is `2^32` units, one more than the largest `u32`,
+/// so arithmetic that wraps around at the end of `u32` wraps around at a whole turn: sums, differences and products are
+/// exact, and whole turns drop out of them.
 /// ```
 /// use embedded_raster::geom::Angle;
 /// assert_eq!(Angle::degrees(90), Angle::turns(1, 4));
@@ -77,8 +77,8 @@ impl Angle {
     /// assert_eq!(Angle::degrees_fx(I16F16::from_num(-0.75)), Angle::turns(479, 480));
     /// ```
     pub const fn degrees_fx(degrees: I16F16) -> Self {
-        // A bit of I16F16 is 2^32 / (360 * 2^16) = 8192 / 45 units. The quotient by 45 goes first, so that the rest times
-        // 8192 fits; 45 is odd, so nothing is halfway between two units.
+        // A bit of I16F16 is 2^32 / (360 * 2^16) = 8192 / 45 units. The quotient by 45 goes first, so that the rest
+        // times 8192 fits; 45 is odd, so nothing is halfway between two units.
         const TURN: i32 = 360 << 16;
         let bits = unsigned((degrees.to_bits() % TURN).wrapping_add(TURN) % TURN);
         Self((bits / 45).wrapping_mul(8192).wrapping_add(((bits % 45) * 8192 + 22) / 45))
@@ -86,8 +86,8 @@ impl Angle {
 
     /// In degrees, from 0 to below 360, rounded to the nearest 1/65,536 degree.
     ///
-    /// What is nearest to a whole turn is 0. For any `d`, `Angle::degrees_fx(d).to_degrees()` is `d` again, but for whole
-    /// turns.
+    /// What is nearest to a whole turn is 0. For any `d`, `Angle::degrees_fx(d).to_degrees()` is `d` again, but for
+    /// whole turns.
     /// ```
     /// use embedded_raster::geom::Angle;
     /// use fixed::types::I16F16;
@@ -101,7 +101,8 @@ impl Angle {
         I16F16::from_bits(if bits == 360 << 16 { 0 } else { signed(bits) })
     }
 
-    /// Cosine and sine in units of `2^-30`, each at most 32 of these units off. Where they come from is told in `num::trig`.
+    /// Cosine and sine in units of `2^-30`, each at most 32 of these units off. Where they come from is told in
+    /// `num::trig`.
     ///
     /// Quarters of a turn are exact. Directions that are mirror images of each other, at an axis or at a diagonal, have
     /// exactly mirrored results.

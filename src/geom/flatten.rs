@@ -1,8 +1,8 @@
 //! Curves to lines, within a tolerance, on the grid of 1/256 pixel.
 //!
-//! A Bézier curve is a function of time: P(t) for t from 0 to 1. It is cut in the middle of its time, the halves are cut in
-//! the middle of theirs, and so on, until each part is *flat* or *bends evenly*. A flat part becomes its chord, the
-//! straight line between its ends. A part that bends evenly becomes a few chords of equal time.
+//! A Bézier curve is a function of time: P(t) for t from 0 to 1. It is cut in the middle of its time, the halves are
+//! cut in the middle of theirs, and so on, until each part is *flat* or *bends evenly*. A flat part becomes its chord,
+//! the straight line between its ends. A part that bends evenly becomes a few chords of equal time.
 //! ```text
 //!            _.-o-._
 //!         .o'       'o.               o  points on the curve: the ends of the chords
@@ -18,12 +18,13 @@
 //!     D       the tolerance, 32 units
 //!     a x b   the cross product ax by - ay bx;   a b   the scalar product ax bx + ay by;   |a|   the length of a
 //! ```
-//! **How far a part is from its chord.** The inner control points of the part are the points at one and two thirds of its
-//! chord, less W(1/3) / 3 and W(2/3) / 3. So at time s the curve is
+//! **How far a part is from its chord.** The inner control points of the part are the points at one and two thirds of
+//! its chord, less W(1/3) / 3 and W(2/3) / 3. So at time s the curve is
 //! ```text
 //!     s (1 - s) ((1 - s) W(1/3) + s W(2/3))
 //! ```
-//! away from the point at s of the chord, and s (1 - s) is 1/4 at most: with the longer of these two W, never farther than
+//! away from the point at s of the chord, and s (1 - s) is 1/4 at most: with the longer of these two W, never farther
+//! than
 //! |W| / 4. If, besides, both control points lie between the ends of the chord, as seen along it, then only the distance across
 //! the chord counts, with the W that is larger across it: |W x c| / (4 |c|).
 //!
@@ -32,25 +33,26 @@
 //!     |W x c| / 4 D <= |c|  and  |W c| <= |c|^2      if |c| >= 4 D
 //!     |W| <= 4 D                                     if |c| < 4 D
 //! ```
-//! **Bends evenly.** If a part is not flat, let W be the longer one of W(0) and W(1). In m pieces of equal time, h is m times
-//! less and bends are m^2 times less: each piece is within |W| / (4 m^2) of its chord. The fewest pieces are the lowest m
-//! with |W| <= 4 D m^2. The part bends evenly if m is 2; or if m is at most 16, both W(0) and W(1) point to the same side of the
-//! chord, and `4 |V x c| > |W| |c|`, V being the one of the two with the smaller product: both point across the chord rather than
-//! along it. Then pieces of equal time are hardly more than there must be.
+//! **Bends evenly.** If a part is not flat, let W be the longer one of W(0) and W(1). In m pieces of equal time, h is m
+//! times less and bends are m^2 times less: each piece is within |W| / (4 m^2) of its chord. The fewest pieces are the
+//! lowest m with |W| <= 4 D m^2. The part bends evenly if m is 2; or if m is at most 16, both W(0) and W(1) point to
+//! the same side of the chord, and `4 |V x c| > |W| |c|`, V being the one of the two with the smaller product: both
+//! point across the chord rather than along it. Then pieces of equal time are hardly more than there must be.
 //!
-//! **Rounding.** The coordinates of all W and the quotient by 4 D are rounded down to whole numbers. A part with a coordinate of W
-//! that is not within 2^15 is neither flat nor even: it is halved. Where a coordinate of c has more than 15 bits, both lose as
-//! many low bits as the longer one has too many, and W c loses as many. Piece i of m ends at time `t + i h / m`, rounded to the
-//! nearest 2^-20.
+//! **Rounding.** The coordinates of all W and the quotient by 4 D are rounded down to whole numbers. A part with a
+//! coordinate of W that is not within 2^15 is neither flat nor even: it is halved. Where a coordinate of c has more
+//! than 15 bits, both lose as many low bits as the longer one has too many, and W c loses as many. Piece i of m ends at
+//! time `t + i h / m`, rounded to the nearest 2^-20.
 //!
-//! A vertex is the exact point of the curve, rounded to the nearest unit (halves upwards). With everything that is rounded
-//! above, lines stay within 34.6 units (0.136 pixels) of the curve. A curve and the same curve from its end to its
-//! start have the same vertices: shapes that share it leave no gap.
+//! A vertex is the exact point of the curve, rounded to the nearest unit (halves upwards). With everything that is
+//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve. A curve and the same curve from its end to
+//! its start have the same vertices: shapes that share it leave no gap.
 //!
-//! **Work.** A curve has 2^15 pieces at most, when its control points are at the ends of the type, and fewer halvings than
-//! pieces. A part that lies as a whole on one side of the window, tolerance included, becomes its chord however much it bends.
-//! That changes no pixel of a fill: of what lies left of the window it only matters how often a row is crossed in each
-//! direction, and the ends of the part decide that; what lies above, below or right of the window does not matter.
+//! **Work.** A curve has 2^15 pieces at most, when its control points are at the ends of the type, and fewer halvings
+//! than pieces. A part that lies as a whole on one side of the window, tolerance included, becomes its chord however
+//! much it bends. That changes no pixel of a fill: of what lies left of the window it only matters how often a row is
+//! crossed in each direction, and the ends of the part decide that; what lies above, below or right of the window does
+//! not matter.
 //!
 //! Range: any `I24F8`. Points are sums below 2^93, in words of 64 and 32 bits.
 //!
@@ -87,14 +89,16 @@ impl<'a> Path<'a> {
         Contours { rest: self.segments(), start: PointFx::from_bits(0, 0), view: View::ALL }
     }
 
-    /// The contours for a fill of which only `window` is seen. It has the same pixels there with fewer vertices: curves beside
-    /// the window are not followed, so the number of vertices depends on the window and not on the size of the curves.
+    /// The contours for a fill of which only `window` is seen. It has the same pixels there with fewer vertices: curves
+    /// beside the window are not followed, so the number of vertices depends on the window and not on the size of the
+    /// curves.
     #[inline]
     pub fn contours_in(self, window: Rect) -> Contours<'a> {
         Contours { view: View::of(window, 0), ..self.contours() }
     }
 
-    /// The contours for something that is drawn up to `reach` units (1/256 pixel) around them, of which only `window` is seen.
+    /// The contours for something that is drawn up to `reach` units (1/256 pixel) around them, of which only `window`
+    /// is seen.
     #[inline]
     pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
         Contours { view: View::of(window, reach), ..self.contours() }
@@ -136,7 +140,8 @@ impl<'a> Iterator for Contours<'a> {
     }
 }
 
-/// The vertices of one contour of a [`Path`], from its start on. Where the contour is closed, the start does not come again.
+/// The vertices of one contour of a [`Path`], from its start on. Where the contour is closed, the start does not come
+/// again.
 #[derive(Clone, Debug)]
 pub struct Contour<'a> {
     start: Option<PointFx>,
@@ -213,8 +218,8 @@ struct Bezier {
     part: Section,
     /// Where the last piece ended.
     last: PointFx,
-    /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its second
-    /// half ends where it did, and the point is not computed again.
+    /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its
+    /// second half ends where it did, and the point is not computed again.
     ahead: (u32, PointFx),
     /// All control points lie in the view, and with them every part.
     is_inside: bool,
@@ -222,7 +227,8 @@ struct Bezier {
     is_small: bool,
 }
 
-/// A part of a curve, from time `start` on and `2^level` units of time long. It has so many `pieces`, of which some are done.
+/// A part of a curve, from time `start` on and `2^level` units of time long. It has so many `pieces`, of which some are
+/// done.
 #[derive(Copy, Clone, Debug)]
 struct Section {
     start: u32,
@@ -371,7 +377,8 @@ impl Bends {
     fn lie_beside(&self, view: &View, from: PointFx, to: PointFx) -> bool {
         let &Self((a, b), (c, d)) = self;
         let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
-        // It is within |W| / 4 of the chord, in x and in y alike; the 3 units are for the rounding of W and of both ends.
+        // It is within |W| / 4 of the chord, in x and in y alike; the 3 units are for the rounding of W and of both
+        // ends.
         size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
     }
 }
@@ -383,7 +390,8 @@ fn are_small(a: (i32, i32), b: (i32, i32)) -> bool {
     beyond(a.0) | beyond(a.1) | beyond(b.0) | beyond(b.1) == 0
 }
 
-/// The vector from one place to another, its coordinates in 15 bits and a sign, and how many low bits they lost for that.
+/// The vector from one place to another, its coordinates in 15 bits and a sign, and how many low bits they lost for
+/// that.
 fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
     let (x, y) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
     let lost = 17_u32.saturating_sub((x | y).leading_zeros());
@@ -438,7 +446,8 @@ impl Polynomial {
     /// A coordinate of W, `h^2 P''/2`, for a part that takes the time h, with `h^2 = 2^-down`. P'' is taken at the time
     /// `time / 3`, in units of 2^-20.
     ///
-    /// `P''/2 = 3 a t + b`, which is `a time + b`. When both coefficients are [small](Self::is_small), everything fits 31 bits.
+    /// `P''/2 = 3 a t + b`, which is `a time + b`. When both coefficients are [small](Self::is_small), everything fits
+    /// 31 bits.
     #[inline(always)]
     fn small_bend(&self, time: u32, down: u32) -> i32 {
         let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME_BITS;
@@ -459,9 +468,9 @@ impl Polynomial {
 
     /// Its value at `t / 2^20`, rounded to nearest.
     ///
-    /// `a t + b` is below 2^36, and times 2^20 it has 56 bits. `(a t + b) t + c` is the slope of the chord from the start of the
-    /// curve to here, below 2^35, and times 2^40 it has 75 bits. The third product is the way from the start to here: below 2^32,
-    /// and 2^92 when times 2^60.
+    /// `a t + b` is below 2^36, and times 2^20 it has 56 bits. `(a t + b) t + c` is the slope of the chord from the
+    /// start of the curve to here, below 2^35, and times 2^40 it has 75 bits. The third product is the way from the
+    /// start to here: below 2^32, and 2^92 when times 2^60.
     #[inline(never)]
     fn at(self, t: u32) -> i32 {
         let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME_BITS);

@@ -1,7 +1,7 @@
 //! [`Outlines`]: the contours of a path as two lists, one of vertices and one of where each contour starts.
 //!
-//! Contours of a [`Path`] are iterators: whoever goes over them again cuts the curves again. Written down once they can be
-//! filled many times, and cut into triangles: [`triangulate`](super::triangulate) takes these two lists.
+//! Contours of a [`Path`] are iterators: whoever goes over them again cuts the curves again. Written down once they can
+//! be filled many times, and cut into triangles: [`triangulate`](super::triangulate) takes these two lists.
 
 use heapless::Vec;
 
@@ -57,8 +57,8 @@ impl Path<'_> {
     /// Its contours, written down: see [`Outlines`].
     ///
     /// # Errors
-    /// [`FlattenError::VertexListFull`] if there are more than `V` or 65,535 vertices, or else [`FlattenError::StartListFull`] if
-    /// more than `S` contours follow the first one.
+    /// [`FlattenError::VertexListFull`] if there are more than `V` or 65,535 vertices, or else
+    /// [`FlattenError::StartListFull`] if more than `S` contours follow the first one.
     /// ```
     /// use embedded_raster::{FlattenError, Path, PathSegment::*, PointFx};
     /// let p = PointFx::px;

@@ -8,9 +8,9 @@
 //!      .  .-.  .                  . /       \ .       stays inside the hull of all of them
 //!    a--'     '--b                a           b
 //! ```
-//! A path is a slice in the caller's memory. Its contours, and the vertices of each, are found while somebody iterates
-//! over them; nothing is stored. How curves become lines, and how close those are, is told in
-//! [`flatten`](super::flatten).
+//! A path is a slice in the caller's memory. Its contours, and the vertices of each, are computed while somebody
+//! iterates over them, and nothing is stored; [`Path::outlines`] writes them down. How curves are cut into lines, and
+//! how close the lines are to the curves, is explained in [`flatten`](super::flatten).
 
 use super::point::PointFx;
 
@@ -18,7 +18,7 @@ use super::point::PointFx;
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PathSegment {
-    /// Ends the contour, if there is one, and begins another here.
+    /// Ends the contour before it, and begins another one here.
     MoveTo(PointFx),
     /// A straight side.
     LineTo(PointFx),
@@ -26,11 +26,12 @@ pub enum PathSegment {
     QuadraticTo(PointFx, PointFx),
     /// A cubic Bézier curve: two control points, end.
     CubicTo(PointFx, PointFx, PointFx),
-    /// Joins the end of the contour to its start. What follows without a move starts there too.
+    /// Joins the end of the contour to its start, and ends it. If no move follows, the next contour begins at that
+    /// start too.
     Close,
 }
 
-/// Contours of lines and curves, borrowed. A path that does not begin with a move begins at (0, 0).
+/// Contours of lines and curves, in borrowed memory. A path that does not begin with a move begins at (0, 0).
 /// ```
 /// use embedded_raster::{Path, PathSegment::*, PointFx};
 /// let p = PointFx::px;
@@ -53,7 +54,7 @@ impl<'a> Path<'a> {
         Self { segments }
     }
 
-    /// What it is made of.
+    /// The segments that it is made of.
     #[inline]
     pub const fn segments(self) -> &'a [PathSegment] {
         self.segments

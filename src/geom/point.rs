@@ -106,7 +106,8 @@ impl Sub for PointFx {
     }
 }
 
-/// The place on the opposite side of (0, 0). The lowest coordinate becomes the highest, one unit less than its opposite.
+/// The place on the opposite side of (0, 0). The lowest coordinate becomes the highest, one unit less than its
+/// opposite.
 impl Neg for PointFx {
     type Output = Self;
 

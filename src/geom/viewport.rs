@@ -1,19 +1,19 @@
 //! [`Viewport`]: from the coordinates of a plane (a chart, a map) to places on the screen, and back.
 //!
-//! Each axis is a straight line through two given pairs of numbers: `v0` on the plane is `p0` on the screen, and `v1` is `p1`.
-//! Any other number v of the plane is the unit of the screen (1/256 pixel) that is nearest to
+//! Each axis is a straight line through two given pairs of numbers: `v0` on the plane is `p0` on the screen, and `v1`
+//! is `p1`. Any other number v of the plane is the unit of the screen (1/256 pixel) that is nearest to
 //! ```text
 //!     p(v) = p0 + (v - v0) (p1 - p0) / (v1 - v0)          halfway between two units: the larger one
 //! ```
-//! The quotient is exact, and rounded once. So nothing drifts, the corners are exact, and what is in order on the plane is in
-//! order on the screen, because a straight line that is rounded never steps back.
+//! The quotient is exact, and rounded once. So nothing drifts, the corners are exact, and what is in order on the plane
+//! is in order on the screen, because a straight line that is rounded never steps back.
 //!
-//! The way back is the same formula with the plane and the screen exchanged. Its result is off by half a unit of the plane at
-//! most. If a unit of the plane is not larger than a unit of the screen, a place on the screen that is taken to the plane and
-//! back again is the same place.
+//! The way back is the same formula with the plane and the screen exchanged. Its result is off by half a unit of the
+//! plane at most. If a unit of the plane is not larger than a unit of the screen, a place on the screen that is taken
+//! to the plane and back again is the same place.
 //!
-//! Range: any 32 bits on both sides. A difference of two such numbers has 32 bits and a sign, a product of two differences 64,
-//! and the quotient takes one long division. What would lie beyond the ends of the type stops there.
+//! Range: any 32 bits on both sides. A difference of two such numbers has 32 bits and a sign, a product of two
+//! differences 64, and the quotient takes one long division. What would lie beyond the ends of the type stops there.
 
 use core::num::NonZeroU32;
 
@@ -30,8 +30,8 @@ use crate::{
 
 /// A map between a rectangle of a plane and one of the screen.
 ///
-/// Coordinates of the plane are `I16F16`, or any other numbers of 32 bits: methods with `bits` in their names take and return
-/// them as they are, without a unit.
+/// Coordinates of the plane are `I16F16`, or any other numbers of 32 bits: methods with `bits` in their names take and
+/// return them as they are, without a unit.
 /// ```
 /// use embedded_raster::{geom::Viewport, Rect, PointFx};
 /// use fixed::types::I16F16;
@@ -57,10 +57,11 @@ struct AxisMap {
 }
 
 impl Viewport {
-    /// The corner `low` of a rectangle of the plane goes to the upper left corner of `area`, the corner `high` to the lower right
-    /// one.
+    /// The corner `low` of a rectangle of the plane goes to the upper left corner of `area`, the corner `high` to the
+    /// lower right one.
     ///
-    /// Where `high` is less than `low`, that axis is reversed. Where they are the same, everything goes to where `low` goes.
+    /// Where `high` is less than `low`, that axis is reversed. Where they are the same, everything goes to where `low`
+    /// goes.
     #[inline]
     pub fn new(low: [I16F16; 2], high: [I16F16; 2], area: Rect) -> Self {
         Self::from_bits(low.map(I16F16::to_bits), high.map(I16F16::to_bits), area)

@@ -1,4 +1,4 @@
-//! The mesh: sides that are linked to loops, in the slots of the caller's table.
+//! The mesh: sides that are linked to loops, in the slots of the caller's table. A slot in use is called a node.
 
 use core::{cmp::Ordering, ops::Range};
 
@@ -19,7 +19,7 @@ pub struct SideSlot {
     pub(super) prev: u16,
     /// The node after it.
     pub(super) next: u16,
-    /// What is known of the corner.
+    /// What is known of the corner: bits that `loops` and `ears` define.
     pub(super) flags: u16,
 }
 
@@ -33,7 +33,7 @@ impl SideSlot {
     pub const EMPTY: Self = Self { vertex: 0, end: 0, prev: 0, next: 0, flags: 0 };
 }
 
-/// The nodes in use, over the vertices that they name.
+/// The vertices, and the nodes that name them. Of `nodes`, the first `len` are in use.
 pub(super) struct Mesh<'a> {
     pub(super) vertices: &'a [PointFx],
     pub(super) nodes: &'a mut [SideSlot],
@@ -52,11 +52,13 @@ impl<'a> Mesh<'a> {
         0..u16::try_from(self.len).unwrap_or(u16::MAX)
     }
 
+    /// A node by its number.
     #[inline(always)]
     pub(super) fn node(&self, i: u16) -> SideSlot {
         self.nodes.get(usize::from(i)).copied().unwrap_or(SideSlot::EMPTY)
     }
 
+    /// Changes a node.
     #[inline(always)]
     pub(super) fn set(&mut self, i: u16, change: impl FnOnce(&mut SideSlot)) {
         if let Some(node) = self.nodes.get_mut(usize::from(i)) {
@@ -64,7 +66,7 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    /// Adds a node and returns its number. There is room: it was counted.
+    /// Adds a node and returns its number. There is room for it: slots were counted before.
     pub(super) fn push(&mut self, node: SideSlot) -> u16 {
         let at = self.len;
         if let Some(slot) = self.nodes.get_mut(at) {
@@ -80,21 +82,21 @@ impl<'a> Mesh<'a> {
         self.vertices.get(usize::from(vertex)).copied().map_or((0, 0), bits)
     }
 
-    /// Where a node is, and the nodes before and after it: the two ends of its sector, backwards.
+    /// The places of the node before a node, of the node itself, and of the node after it.
     #[inline(never)]
     pub(super) fn corner(&self, i: u16) -> [Place; 3] {
         let node = self.node(i);
         [self.node(node.prev).vertex, node.vertex, self.node(node.next).vertex].map(|vertex| self.place(vertex))
     }
 
-    /// Makes one node the next of another.
+    /// Links two nodes: `to` becomes the next one after `from`.
     #[inline(never)]
     pub(super) fn join(&mut self, from: u16, to: u16) {
         self.set(from, |node| node.next = to);
         self.set(to, |node| node.prev = from);
     }
 
-    /// Visits the nodes of a loop from `from` on up to, and without, `to`; all of them if that is the same.
+    /// Visits the nodes of a loop from `from` on until `to` would come, and all of them if `to` is `from`.
     #[inline]
     pub(super) fn walk(&mut self, from: u16, to: u16, mut visit: impl FnMut(&mut Self, u16)) {
         let mut i = from;
@@ -111,7 +113,7 @@ impl<'a> Mesh<'a> {
     /// The upper of two vertices, then the lower.
     #[inline(never)]
     pub(super) fn downwards(&self, a: u16, b: u16) -> (u16, u16) {
-        if down(self.place(a)) < down(self.place(b)) {
+        if order(self.place(a)) < order(self.place(b)) {
             (a, b)
         } else {
             (b, a)
@@ -119,7 +121,8 @@ impl<'a> Mesh<'a> {
     }
 }
 
-/// Whether `p` lies inside of the sector of a corner: clockwise from the side that leaves it and before the one that comes.
+/// Whether a place lies in the sector of a corner, seen from the corner: clockwise after the side that leaves the
+/// corner, and before the side that comes to it. The sides themselves are not in it.
 #[inline(never)]
 pub(super) fn in_sector([before, at, after]: [Place; 3], p: Place) -> bool {
     let after_side = turn_at(at, after, p) == Ordering::Greater;
@@ -127,14 +130,14 @@ pub(super) fn in_sector([before, at, after]: [Place; 3], p: Place) -> bool {
     if turn_at(at, after, before) == Ordering::Greater {
         after_side && before_side
     } else {
-        // The rest of the round is a sector below a half turn, or a half turn: outside are it and its ends.
+        // The sector has a half turn or more. What is outside of it has a half turn at most, and fails both tests.
         after_side || before_side
     }
 }
 
-/// The order in which rows are walked: from the top down, and from left to right. It is that of a plane sheared so little
-/// that no two vertices share a row, and no side is horizontal.
+/// A key that sorts places as one reads: from the top down, and each row from left to right. With "above" taken in this
+/// order, one of two different places is always above the other, and no side is horizontal.
 #[inline(always)]
-pub(super) fn down(p: Place) -> (i32, i32) {
+pub(super) fn order(p: Place) -> (i32, i32) {
     (p.1, p.0)
 }

@@ -1,29 +1,35 @@
 //! Polygons cut into triangles: any number of contours in any order, concave, with holes and islands.
 //!
-//! The triangles cover what lies inside by the [even-odd rule](crate::FillRule::EvenOdd), each place once: filling them
-//! paints the pixels that filling the polygon paints, each exactly once. Their corners are vertices of the polygon, they
-//! meet in whole sides and vertices, and all go round clockwise as seen on the screen. There are `n - 2` of them for a
-//! simple polygon of n vertices.
+//! The triangles cover what lies inside by the [even-odd rule](crate::FillRule::EvenOdd), without overlap: filling them
+//! paints the pixels that filling the polygon paints, each exactly once. Their corners are vertices of the polygon; two
+//! of them share a whole side, a corner, or nothing; and all go round clockwise as seen on the screen. A simple polygon
+//! of n vertices is cut into `n - 2` triangles.
 //!
-//! **What is allowed.** Contours may touch themselves and each other in any way, at vertices, along sides, or with a vertex
-//! on a side; vertices may repeat, lie in the middle of a straight side, and run there and back. Only two sides that
-//! *cross*, at a place inside of both, are refused, by name.
-//! ```text
-//!   sides      vertices on a side split it; sides that lie on each other cancel, as two make no difference to even-odd
-//!   direction  each side is turned so that the inside is on its right hand on the screen: count the sides left of it
-//!   loops      where a side ends, that one follows which leaves nothing of the inside between: so loops touch, never cross
-//!   bridges    a loop round a hole is joined to what lies left of it, there and back, until every loop is an outline
-//!   ears       a corner whose triangle holds no other corner is cut off, until nothing is left
-//! ```
-//! As every side is directed and every loop joined by itself, it does not matter which contour is a hole of which, nor which
-//! way round they go; and where loops touch, no corner ever has another one between its sides, which is what makes the
-//! usual test of an ear right for outlines that touch themselves, too.
+//! **What is allowed.** Contours may touch themselves and each other in any way: at vertices, along sides, or with a
+//! vertex on a side. Vertices may repeat, lie in the middle of a straight side, and form spikes. Only two sides that
+//! *cross*, at a place that is an end of neither, are an error, which names them.
+//!
+//! **How.** In five steps:
+//! 1. *Sides.* A side with vertices on it is split there. Two sides that lie on each other are taken out: by the
+//!    even-odd rule the two together change nothing.
+//! 2. *Directions.* Each side is directed so that the inside lies on its right hand on the screen. Which of the two
+//!    directions that is follows from the number of sides left of it: odd or even.
+//! 3. *Loops.* Each side is linked to one that starts where it ends. If several do, it is the one with no inside
+//!    between the two; so loops can touch, but never cross.
+//! 4. *Bridges.* A loop that goes round a hole is joined to a loop further left by a bridge, two new sides in opposite
+//!    directions, until only outlines are left.
+//! 5. *Ears.* A corner whose triangle holds no other corner is an ear. Ears are cut off, until nothing is left.
+//!
+//! As directions and loops are found from the sides alone, it does not matter which contour is a hole of which, nor
+//! which way round the contours go. Where loops touch, no side starts between the two sides of another corner, on the
+//! inside: that makes the usual test of an ear right for outlines that touch themselves, too.
 //!
 //! Range: any `I24F8`, up to 65,535 vertices. All decisions are signs of cross products ([`turn`](super::exact::turn)).
-//! Memory: 10 bytes a vertex. Work: O(n^2) for n nodes. Vertices at the same place are named by the first of them.
+//! Memory: 10 bytes for each slot of a table, about one for each vertex ([`each`] says how many). Work: O(n^2) for n
+//! slots. Of several vertices at the same place the triangles name the first one.
 //!
-//! Sources: G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975; D. Eberly, "Triangulation by ear
-//! clipping", 2002 (bridges, and why cutting an ear concerns its neighbours only). Directed sides and loops are the
+//! Sources: G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975; D. Eberly, "Triangulation by
+//! ear clipping", 2002 (bridges, and why cutting an ear concerns its neighbours only). Directed sides and loops are the
 //! half-edges of M. de Berg et al., "Computational Geometry", 2008, section 2.2.
 
 mod ears;
@@ -43,14 +49,15 @@ const LIMIT: usize = u16::MAX as usize;
 
 /// Emits the triangles of a polygon, as numbers of its vertices.
 ///
-/// * `vertices`: those of all contours, one contour after the other. The last vertex of each is joined to its first one.
+/// * `vertices`: those of all contours, one contour after the other. The last vertex of each is joined to its first
+///   one.
 /// * `starts`: the numbers of the first vertices of the second, third, ... contour; `&[]` if there is only one contour.
-/// * `slots`: scratch memory. One for every vertex, two for each entry of `starts`, and one for every place where a vertex
-///   lies on a side between its ends are enough.
+/// * `slots`: scratch memory. One for every vertex, two for each entry of `starts`, and one for every place where a
+///   vertex lies on a side between its ends are enough.
 ///
 /// # Errors
-/// [`TriangulateError::SidesCross`] with the first two sides that do, or else [`TriangulateError::SideTableFull`]. Nothing was
-/// emitted then.
+/// [`TriangulateError::SidesCross`] with the first two sides that do, or else [`TriangulateError::SideTableFull`].
+/// Nothing was emitted then.
 /// ```
 /// use embedded_raster::{geom::triangulate::{self, SideSlot}, PointFx, TriangulateError};
 /// let arrow = [(0, 0), (4, 2), (0, 4), (1, 2)].map(|(x, y)| PointFx::px(x, y));
