@@ -8,7 +8,7 @@ use crate::geom::{
 };
 
 /// One slot of the scratch table: a side of the polygon, and the corner where it starts.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SideSlot {
     /// The vertex where the side starts.
