@@ -1,8 +1,10 @@
 //! What can be wrong with a call, with the numbers that explain it.
 //!
-//! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface ([`BufferError`]),
-//! a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be cut into triangles
-//! ([`TriangulateError`]). [`Error`] is any of them, for programs that pass all on with `?`.
+//! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface
+//! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
+//! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
+//! crossings of a line with a polygon ([`CrossingListFull`]). [`Error`] is any of them, for programs that pass all on
+//! with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
 
@@ -17,6 +19,7 @@ use core::fmt;
 /// assert_eq!(error, BufferError::TooSmall { needed: 128, given: 100 });
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BufferError {
     /// The slice is shorter than the surface. Both counts are bytes; `needed` stops at `usize::MAX`.
@@ -55,6 +58,7 @@ pub enum BufferError {
 
 /// One row alone is crossed by more edges than the edge table has slots.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EdgeTableFull {
     /// Slots of the table; of a longer one, 65,535 count.
     pub capacity: usize,
@@ -66,6 +70,7 @@ pub struct EdgeTableFull {
 
 /// Why a polygon could not be cut into triangles.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TriangulateError {
     /// Two sides cross. Each is given by the number of the vertex where it starts.
@@ -91,8 +96,40 @@ pub enum TriangulateError {
     },
 }
 
+/// Why the contours of a path could not be written to two lists.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum FlattenError {
+    /// The path has more vertices than their list has slots.
+    VertexListFull {
+        /// Slots of the list; of a longer one, 65,535 count.
+        capacity: usize,
+        /// Vertices of all contours.
+        needed: usize,
+    },
+    /// The path has more contours than the list of their starts has slots for.
+    StartListFull {
+        /// Slots of the list.
+        capacity: usize,
+        /// Contours after the first one.
+        needed: usize,
+    },
+}
+
+/// A line crosses more sides of a polygon than the list of crossings has slots.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CrossingListFull {
+    /// Slots of the list.
+    pub capacity: usize,
+    /// Sides that the line crosses.
+    pub needed: usize,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Error {
     /// A surface could not be made.
@@ -101,6 +138,10 @@ pub enum Error {
     EdgeTable(EdgeTableFull),
     /// A polygon could not be cut into triangles.
     Triangulate(TriangulateError),
+    /// A path could not be written to lists.
+    Flatten(FlattenError),
+    /// The crossings of a line with a polygon could not be written to a list.
+    CrossingList(CrossingListFull),
 }
 
 impl fmt::Display for BufferError {
@@ -143,12 +184,34 @@ impl fmt::Display for TriangulateError {
     }
 }
 
+impl fmt::Display for FlattenError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::VertexListFull { capacity, needed } => {
+                write!(f, "vertex list full: the path has {needed} vertices, the list holds {capacity}")
+            }
+            Self::StartListFull { capacity, needed } => {
+                write!(f, "start list full: {needed} contours follow the first one, the list holds {capacity}")
+            }
+        }
+    }
+}
+
+impl fmt::Display for CrossingListFull {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { capacity, needed } = *self;
+        write!(f, "crossing list full: the line crosses {needed} sides, the list holds {capacity}")
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Buffer(error) => error.fmt(f),
             Self::EdgeTable(error) => error.fmt(f),
             Self::Triangulate(error) => error.fmt(f),
+            Self::Flatten(error) => error.fmt(f),
+            Self::CrossingList(error) => error.fmt(f),
         }
     }
 }
@@ -156,6 +219,8 @@ impl fmt::Display for Error {
 impl core::error::Error for BufferError {}
 impl core::error::Error for EdgeTableFull {}
 impl core::error::Error for TriangulateError {}
+impl core::error::Error for FlattenError {}
+impl core::error::Error for CrossingListFull {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -173,5 +238,17 @@ impl From<EdgeTableFull> for Error {
 impl From<TriangulateError> for Error {
     fn from(error: TriangulateError) -> Self {
         Self::Triangulate(error)
+    }
+}
+
+impl From<FlattenError> for Error {
+    fn from(error: FlattenError) -> Self {
+        Self::Flatten(error)
+    }
+}
+
+impl From<CrossingListFull> for Error {
+    fn from(error: CrossingListFull) -> Self {
+        Self::CrossingList(error)
     }
 }

@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use embedded_raster::{
     raster::{self, polygon},
-    ClippedSpan, EdgeSlot, FillRule, Path, PointFx, Rect,
+    ClippedSpan, EdgeSlot, FillRule, FlattenError, Path, PointFx, Rect,
 };
 use support::{
     assert_runs, collect,
@@ -55,6 +55,43 @@ fn vertices_are_the_nearest_to_the_curve() {
             assert_eq!(contours(&path), wanted_contours(&path), "{path:?}");
         }
     }
+}
+
+/// The same vertices, written down; or how many there are, when they are too many.
+#[test]
+fn outlines_are_the_contours() {
+    let mut rng = Rng::new(411);
+    let (mut fitted, mut many_vertices, mut many_starts) = (0, 0, 0);
+    for i in 0..20_000 {
+        let (path, wanted) = (random_path(&mut rng, Scale::ALL[i % 3], 5), vec![]);
+        let segments = segments(&path);
+        let wanted = Path::new(&segments).contours().fold(wanted, |mut all: Vec<Vec<PointFx>>, contour| {
+            all.push(contour.collect());
+            all
+        });
+        let (vertices, further) = (wanted.concat(), wanted.len().saturating_sub(1));
+        match Path::new(&segments).outlines::<40, 1>() {
+            Ok(outlines) => {
+                let starts: Vec<usize> = outlines.starts.iter().map(|&start| start.into()).collect();
+                assert_eq!(outlines.contours().collect::<Vec<_>>(), wanted, "{path:?}");
+                assert_eq!(outlines.vertices[..], vertices[..], "{path:?}");
+                assert_eq!(starts, wanted.iter().skip(1).map(|_| wanted[0].len()).collect::<Vec<_>>(), "{path:?}");
+                fitted += 1;
+            }
+            Err(FlattenError::VertexListFull { capacity, needed }) => {
+                assert_eq!((capacity, needed), (40, vertices.len()), "{path:?}");
+                assert!(needed > 40, "{path:?}");
+                many_vertices += 1;
+            }
+            Err(error) => {
+                assert_eq!(error, FlattenError::StartListFull { capacity: 1, needed: further }, "{path:?}");
+                assert!(further > 1 && vertices.len() <= 40, "{path:?}");
+                many_starts += 1;
+            }
+        }
+    }
+    let counts = [fitted, many_vertices, many_starts];
+    assert!(counts.iter().all(|&n| n > 200), "{counts:?}");
 }
 
 /// How far a curve gets from the chord of the piece between two times, in `f64`.

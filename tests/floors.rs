@@ -137,111 +137,6 @@ fn every_import_goes_down() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The paths in a piece of code that start with `crate`, `self` or `super`, groups written out, as lists of names. What a
-/// module passes on to its users by `pub use` is not an import of its own.
-fn paths(code: &str) -> Vec<Vec<String>> {
-    /// Reads a path or a group from `at` on; returns where it ends.
-    fn read(code: &[char], mut at: usize, before: &[String], found: &mut Vec<Vec<String>>) -> usize {
-        let mut path = before.to_vec();
-        loop {
-            while code.get(at).is_some_and(|c| c.is_whitespace()) {
-                at += 1;
-            }
-            if code.get(at) == Some(&'{') {
-                at += 1;
-                while code.get(at).is_some_and(|&c| c != '}') {
-                    let next = read(code, at, &path, found);
-                    at = if next == at { at + 1 } else { next };
-                }
-                return at + 1;
-            }
-            let name: String = code[at..].iter().take_while(|c| c.is_alphanumeric() || **c == '_').collect();
-            at += name.chars().count();
-            if name.is_empty() {
-                return at;
-            }
-            path.push(name);
-            if code.get(at..at + 2) != Some(&[':', ':']) {
-                found.push(path);
-                return at;
-            }
-            at += 2;
-        }
-    }
-    let mut found = vec![];
-    for statement in code.split(';') {
-        let words = statement.trim_start();
-        if words.starts_with("pub") && words.contains(" use ") && words.find(" use ") < words.find("::") {
-            continue;
-        }
-        let letters: Vec<char> = statement.chars().collect();
-        let mut at = 0;
-        while at < letters.len() {
-            let starts = |word: &str| letters[at..].starts_with(&word.chars().collect::<Vec<_>>());
-            let fresh = at == 0 || !(letters[at - 1].is_alphanumeric() || "_$:".contains(letters[at - 1]));
-            if fresh && ["crate::", "self::", "super::"].iter().any(|word| starts(word)) {
-                at = read(&letters, at, &[], &mut found);
-            } else {
-                at += 1;
-            }
-        }
-    }
-    found
-}
-
-/// The names of the modules above a file and its own: `["raster", "polygon", "edge"]`.
-fn module_of(inside: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        inside.with_extension("").components().map(|c| c.as_os_str().to_string_lossy().into_owned()).collect();
-    if names.last().is_some_and(|name| name == "mod") {
-        names.pop();
-    }
-    names
-}
-
-/// A file that imports from another one is not imported by it: each pair of files can be read in one order.
-#[test]
-fn no_two_files_import_each_other() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = vec![];
-    sources(&root, &mut files);
-    let modules: Vec<(Vec<String>, String)> = files
-        .iter()
-        .map(|file| (module_of(file.strip_prefix(&root).expect("it was found there")), file))
-        .filter(|(module, _)| module != &["lib"])
-        .map(|(module, file)| (module, code(&fs::read_to_string(file).expect("a readable file"))))
-        .collect();
-    let mut imports = std::collections::HashSet::new();
-    for (module, code) in &modules {
-        for path in paths(code) {
-            let mut target = match path[0].as_str() {
-                "crate" => vec![],
-                _ => module.clone(),
-            };
-            for name in &path {
-                match name.as_str() {
-                    "crate" | "self" => {}
-                    "super" => drop(target.pop()),
-                    name => {
-                        target.push(name.to_owned());
-                        if !modules.iter().any(|(known, _)| *known == target) {
-                            target.pop();
-                            break;
-                        }
-                    }
-                }
-            }
-            if target != *module && !target.is_empty() {
-                imports.insert((module.join("::"), target.join("::")));
-            }
-        }
-    }
-    assert!(imports.len() > 150, "only {} imports were found", imports.len());
-    let mut both: Vec<_> = imports.iter().filter(|(a, b)| a < b && imports.contains(&(b.clone(), a.clone()))).collect();
-    both.sort();
-    assert!(both.is_empty(), "these import each other: {both:?}");
-}
-
 #[test]
 fn the_reader_of_imports_reads_imports() {
     let text = "use crate::{\n  a::{b, c}, // crate::x\n  d,\n  e::f as g,\n};\nlet x = crate::h::i(); \"crate::y\" $crate::j!(); my_crate::k;\n\
@@ -256,9 +151,107 @@ fn the_reader_of_imports_reads_imports() {
     );
 }
 
-/// What a firmware takes over with this crate is three small crates; each has its reason in Cargo.toml.
+/// All paths of the `use` statements of a file, one for each name: `use a::{b, c::d}` has `a::b` and `a::c::d`.
+fn imported_paths(code: &str) -> Vec<String> {
+    let mut paths = vec![];
+    for statement in code.split(';') {
+        let Some(at) = statement.rfind("use ") else { continue };
+        let is_word = statement[..at].chars().next_back().is_none_or(char::is_whitespace);
+        if is_word {
+            let tree: String = statement[at + 4..].chars().filter(|c| !c.is_whitespace()).collect();
+            expand(&tree, "", &mut paths);
+        }
+    }
+    paths
+}
+
+/// Writes out the groups in braces.
+fn expand(tree: &str, prefix: &str, paths: &mut Vec<String>) {
+    let (mut depth, mut start) = (0, 0);
+    for (at, c) in tree.char_indices().chain([(tree.len(), ',')]) {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                let entry = &tree[start..at];
+                start = at + 1;
+                match entry.split_once('{') {
+                    Some((head, group)) => {
+                        expand(group.strip_suffix('}').unwrap_or(group), &format!("{prefix}{head}"), paths);
+                    }
+                    None if !entry.is_empty() => paths.push(format!("{prefix}{entry}")),
+                    None => {}
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The file that a path names something of, seen from another file: the innermost module on it that is a file.
+fn file_of(path: &str, from: &Path, root: &Path) -> Option<PathBuf> {
+    let is_root = from.file_name().is_some_and(|name| name == "mod.rs");
+    let mut module = if is_root { from.parent()?.to_path_buf() } else { from.with_extension("") };
+    let mut names = path.split("::").peekable();
+    while let Some(name) = names.next_if(|name| ["crate", "self", "super"].contains(name)) {
+        module = match name {
+            "crate" => root.to_path_buf(),
+            "super" => module.parent()?.to_path_buf(),
+            _ => module,
+        };
+    }
+    let file =
+        |module: &Path| [module.with_extension("rs"), module.join("mod.rs")].into_iter().find(|file| file.is_file());
+    let mut found = if module == root { None } else { file(&module) };
+    for name in names {
+        module.push(name);
+        match file(&module) {
+            Some(inner) => found = Some(inner),
+            None => break,
+        }
+    }
+    found
+}
+
+/// One file explains what the next one builds on; no two explain each other.
 #[test]
-fn the_dependencies_are_the_three() {
+fn no_two_files_import_each_other() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = vec![];
+    sources(&root, &mut files);
+    let mut imports = vec![];
+    for from in files {
+        let paths = imported_paths(&code(&fs::read_to_string(&from).expect("a readable file")));
+        for to in paths.iter().filter_map(|path| file_of(path, &from, &root)).filter(|to| *to != from) {
+            imports.push((from.clone(), to));
+        }
+    }
+    assert!(imports.len() > 150, "only {} imports were found", imports.len());
+    let mutual: Vec<_> = imports.iter().filter(|(from, to)| imports.contains(&(to.clone(), from.clone()))).collect();
+    assert!(mutual.is_empty(), "{mutual:#?}");
+}
+
+#[test]
+fn paths_are_found_in_files() {
+    let code = "pub use self::a::B;\nuse crate::{\n    c::{d, e::F as G},\n    h,\n};\nfn because() { reuse (i); }";
+    assert_eq!(imported_paths(code), ["self::a::B", "crate::c::d", "crate::c::e::FasG", "crate::h"]);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let file = |path, from: &str| {
+        let file = file_of(path, &root.join(from), &root)?;
+        Some(file.strip_prefix(&root).expect("it lies there").to_string_lossy().replace('\\', "/"))
+    };
+    let exact = Some("geom/exact.rs".to_owned());
+    assert_eq!(file("super::exact::turn", "geom/clip.rs"), exact);
+    assert_eq!(file("crate::geom::exact::turn", "geom/triangulate/ears.rs"), exact);
+    assert_eq!(file("exact::turn", "geom/mod.rs"), exact);
+    assert_eq!(file("super::PointFx", "geom/clip.rs"), Some("geom/mod.rs".to_owned()));
+    assert_eq!(file("core::cmp::Ordering", "geom/clip.rs"), Some("geom/clip.rs".to_owned()));
+}
+
+/// What a firmware takes over with this crate is four small crates, and `defmt` if it asks for it; each has its reason in
+/// Cargo.toml.
+#[test]
+fn the_dependencies_are_the_four() {
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).expect("a manifest");
     let section = manifest.split("\n[dependencies]\n").nth(1).expect("a list of dependencies");
     let section = section.split("\n[").next().expect("at least its start");
@@ -269,11 +262,13 @@ fn the_dependencies_are_the_three() {
         .map(|(n, _)| n.trim())
         .collect();
     names.sort_unstable();
-    assert_eq!(names, ["bytemuck", "embedded-graphics-core", "fixed"]);
+    assert_eq!(names, ["bytemuck", "defmt", "embedded-graphics-core", "fixed", "heapless"]);
+    assert!(!manifest.contains("\ndefault = "), "optional is what nobody gets without asking");
     assert!(!manifest.contains("[build-dependencies]"), "nothing is built for the build");
     assert!(!manifest.contains("[target."), "no chip has dependencies of its own");
     // No default features: they are where alloc, std and serde come in. (embedded-graphics-core has none by default.)
     for line in section.lines().filter(|l| l.contains('=') && !l.starts_with('#')) {
+        assert_eq!(line.contains("optional = true"), line.starts_with("defmt"), "{line}");
         let plain = line.starts_with("embedded-graphics-core");
         assert!(plain || line.contains("default-features = false"), "{line}");
     }

@@ -27,7 +27,7 @@ use embedded_raster::{
     eg::{draw_on, recolored},
     geom::{
         clip, delaunay, exact,
-        polygon::{contains, is_convex, orientation, twice_area},
+        polygon::{contains, crossings, is_convex, orientation, twice_area},
         triangulate::{self, SideSlot},
         Viewport,
     },
@@ -41,7 +41,7 @@ use embedded_raster::{
     Angle, Bitmap, Canvas, Cap, ClippedSpan, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
     Join, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke, Surface,
 };
-use fixed::types::I24F8;
+use fixed::types::{I16F16, I24F8};
 use support::{memory::color, rng::Rng};
 
 /// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
@@ -138,15 +138,18 @@ fn rectangles_and_spans() {
                 for y1 in EXTREMES {
                     let (a, b) = (Rect::new(x0, y0, x1, y1), wild_rect(&mut others));
                     black_box((a.is_empty(), a.contains(x1, y0), a.intersection(b), a.relative_to(b.x0, b.y0)));
-                    black_box((a.width(), a.height(), Rectangle::from(a)));
+                    black_box((a.width(), a.height(), Rectangle::from(a), a.union(b)));
+                    black_box((a.inset(b.x0), a.translate(b.x0, b.y0)));
                     let eg = Rectangle::new(Point::new(x0, y0), Size::new(x1 as u32, y1 as u32));
-                    black_box(Rect::from(eg));
+                    black_box((Rect::from(eg), Rect::from_center(eg.top_left, eg.size)));
                     if let Some(span) = (Span { y: y0, x0, x1 }).clip(b) {
                         look(span);
                     }
                     let (v, w) = (PointFx::from_bits(x0, y0), PointFx::from_bits(x1, y1));
                     black_box((rectangle::pixels(v, w), v.pixel(), PointFx::px(x0, y0)));
-                    black_box(PointFx::centre_of(Point::new(x1, y1)));
+                    black_box((PointFx::from(Point::new(x1, y1)), v + w, v - w, -v, v * w.x));
+                    let (p, q) = (Angle::from_bits(x0 as u32), Angle::from_bits(y0 as u32));
+                    black_box((p + q, p - q, -p, p * y0, p.to_degrees(), Angle::degrees_fx(I16F16::from_bits(x0))));
                 }
             }
         }
@@ -303,6 +306,7 @@ fn paths_and_strokes() {
         let rule = rng.pick(&[FillRule::NonZero, FillRule::EvenOdd]);
         black_box(polygon::fill(path.contours_in(window), rule, &mut table, window, look).is_ok());
         outline::draw(path, window, look);
+        black_box(path.outlines::<50, 2>().map_err(|e| e.to_string()).is_ok());
         let stroke = wild_stroke(&mut rng);
         black_box(polygon::fill(stroke.of_path(path, window), rule, &mut table, window, look).is_ok());
         // Dashes measure the whole way: not often.
@@ -338,11 +342,12 @@ fn polygon_tools() {
         let outline: Vec<PointFx> = (0..rng.index(9)).map(|_| wild_vertex(&mut rng)).collect();
         black_box((is_convex(&outline), twice_area(&outline), orientation(&outline)));
         black_box(contains([&outline], FillRule::NonZero, wild_vertex(&mut rng)));
+        black_box(crossings::<_, 4>([&outline], I24F8::from_bits(wild(&mut rng))).map_err(|e| e.to_string()).is_ok());
         let [a, b, c, d] = [(); 4].map(|()| wild_vertex(&mut rng));
         black_box((exact::turn(a, b, c), exact::in_circle(a, b, c, d), clip::segment(a, b, [c, d])));
         let [low, high, at] = [(); 3].map(|()| [wild(&mut rng), wild(&mut rng)]);
         let view = Viewport::from_bits(low, high, wild_rect(&mut rng)).with_y_up();
-        black_box((view.vertex_from_bits(at), view.place_bits(a), view.place(b)));
+        black_box((view.bits_to_screen(at), view.to_plane_bits(a), view.to_plane(b)));
     }
 }
 
@@ -358,6 +363,7 @@ fn triangulations() {
             (0..rng.index(4)).map(|_| if rng.one_in(9) { wild_u16(&mut rng) } else { rng.below(13) as u16 }).collect();
         let mut nodes = vec![SideSlot::EMPTY; rng.index(60)];
         let mut triangles = vec![[0; 3]; rng.index(40)];
+        black_box(triangulate::to_vec::<9>(&vertices, &starts, &mut nodes).is_ok());
         match triangulate::list(&vertices, &starts, &mut nodes, &mut triangles) {
             Ok(count) => triangles.truncate(count),
             Err(error) => {

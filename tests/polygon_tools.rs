@@ -13,13 +13,13 @@ use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
     geom::{
         clip,
-        polygon::{contains, is_convex, orientation, twice_area},
+        polygon::{contains, crossings, is_convex, orientation, twice_area},
         Viewport,
     },
     raster::polygon,
-    EdgeSlot, FillRule, PointFx, Rect,
+    CrossingListFull, EdgeSlot, FillRule, PointFx, Rect,
 };
-use fixed::types::I16F16;
+use fixed::types::{I16F16, I24F8};
 use support::{
     assert_runs, collect,
     rng::Rng,
@@ -163,6 +163,49 @@ fn places_in_polygons() {
 }
 
 #[test]
+fn crossings_of_a_line_with_a_polygon() {
+    let mut rng = Rng::new(705);
+    let (mut many, mut found_in_all) = (0, 0);
+    for i in 0..60_000 {
+        let n = 2 + rng.index(12);
+        let all = outline(&mut rng, Scale::ALL[i % 4], n);
+        let contours = [all[..n / 2].to_vec(), all[n / 2..].to_vec()];
+        let places: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
+        let y = match rng.below(3) {
+            0 => rng.pick(&all).1,
+            1 => i32::midpoint(rng.pick(&all).1, rng.pick(&all).1),
+            _ => rng.pick(&all).1.saturating_add(rng.int(-300, 300)),
+        };
+        let mut wanted: Vec<(i32, bool)> = twins::sides(&contours)
+            .filter(|(a, b)| (a.1 <= y) != (b.1 <= y))
+            .map(|(a, b)| (map_twin(y, (a.1, b.1), (a.0, b.0)), a.1 < b.1))
+            .collect();
+        wanted.sort_unstable();
+        let result = crossings::<_, 6>(&places, I24F8::from_bits(y));
+        if wanted.len() > 6 {
+            assert_eq!(result, Err(CrossingListFull { capacity: 6, needed: wanted.len() }), "{y} {contours:?}");
+            many += 1;
+            continue;
+        }
+        let found = result.expect("there is room");
+        assert!(found.is_sorted_by_key(|crossing| crossing.x), "{found:?}");
+        let mut got: Vec<(i32, bool)> = found.iter().map(|c| (c.x.to_bits(), c.goes_down)).collect();
+        got.sort_unstable();
+        assert_eq!(got, wanted, "{y} {contours:?}");
+        found_in_all += found.len();
+        // Between two of them nothing changes: an odd number lies to the left inside of the polygon.
+        for (k, pair) in found.windows(2).enumerate() {
+            let (left, right) = (pair[0].x.to_bits(), pair[1].x.to_bits());
+            if left.checked_add(2).is_some_and(|after| after < right) {
+                let inside = contains(&places, FillRule::EvenOdd, PointFx::from_bits(left + 1, y));
+                assert_eq!(inside, k % 2 == 0, "right of crossing {k}, {y} {contours:?}");
+            }
+        }
+    }
+    assert!(many > 1_000 && found_in_all > 50_000, "{many} were too many, {found_in_all} in all");
+}
+
+#[test]
 fn clipped_segments() {
     let mut rng = Rng::new(703);
     let (mut seen, mut corners_touched) = (0, 0);
@@ -233,26 +276,26 @@ fn viewports() {
         let (plane_x, plane_y) = ((low[0], high[0]), (low[1], high[1]));
         for _ in 0..4 {
             let (x, y) = (any_number(&mut rng), any_number(&mut rng));
-            let vertex = units(view.vertex_from_bits([x, y]));
+            let vertex = units(view.bits_to_screen([x, y]));
             let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
             assert_eq!(vertex, wanted, "({x}, {y}) in {view:?}");
-            let place = view.place_bits(PointFx::from_bits(x, y));
+            let place = view.to_plane_bits(PointFx::from_bits(x, y));
             let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
             assert_eq!(place, wanted, "back from ({x}, {y}) in {view:?}");
             // Order is kept: the next number is not on the other side.
-            let next = units(view.vertex_from_bits([x.saturating_add(1), y])).0;
+            let next = units(view.bits_to_screen([x.saturating_add(1), y])).0;
             let grows = (low[0] <= high[0]) == (screen_x.0 <= screen_x.1);
             assert!(if grows { next >= vertex.0 } else { next <= vertex.0 }, "{x} and the next in {view:?}");
             // Where the plane is no coarser, the screen and back is no change, as far as the plane goes.
             let is_finer = plane_x.0.abs_diff(plane_x.1) >= screen_x.0.abs_diff(screen_x.1) && screen_x.0 != screen_x.1;
             if is_finer && place[0] != i32::MIN && place[0] != i32::MAX {
-                assert_eq!(units(view.vertex_from_bits(place)).0, x, "there and back in {view:?}");
+                assert_eq!(units(view.bits_to_screen(place)).0, x, "there and back in {view:?}");
                 there_and_back += 1;
             }
         }
         if low[0] != high[0] && low[1] != high[1] {
-            assert_eq!(units(view.vertex_from_bits(low)), (screen_x.0, screen_y.0), "{view:?}");
-            assert_eq!(units(view.vertex_from_bits(high)), (screen_x.1, screen_y.1), "{view:?}");
+            assert_eq!(units(view.bits_to_screen(low)), (screen_x.0, screen_y.0), "{view:?}");
+            assert_eq!(units(view.bits_to_screen(high)), (screen_x.1, screen_y.1), "{view:?}");
         }
     }
     assert!(there_and_back > 50_000, "only {there_and_back} there and back");
@@ -262,21 +305,21 @@ fn viewports() {
 fn the_unit_square_on_a_screen() {
     let one = I16F16::ONE;
     let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240));
-    assert_eq!(view.vertex(-one, -one), PointFx::px(0, 0));
-    assert_eq!(view.vertex(one, one), PointFx::px(320, 240));
+    assert_eq!(view.to_screen(-one, -one), PointFx::px(0, 0));
+    assert_eq!(view.to_screen(one, one), PointFx::px(320, 240));
     let up = view.with_y_up();
-    assert_eq!(up.vertex(-one, -one), PointFx::px(0, 240));
-    assert_eq!(up.vertex(one, one), PointFx::px(320, 0));
+    assert_eq!(up.to_screen(-one, -one), PointFx::px(0, 240));
+    assert_eq!(up.to_screen(one, one), PointFx::px(320, 0));
     assert_eq!(up.with_y_up(), view);
     for x in -3..330 {
         for y in [-9, 0, 1, 119, 240, 300] {
             let at = PointFx::px(x, y);
-            let [px, py] = up.place(at);
-            assert_eq!(up.vertex(px, py), at);
+            let [px, py] = up.to_plane(at);
+            assert_eq!(up.to_screen(px, py), at);
         }
     }
-    assert_eq!(up.vertex(I16F16::MAX, I16F16::MIN), PointFx::from_bits(1_342_218_239, 1_006_663_680));
+    assert_eq!(up.to_screen(I16F16::MAX, I16F16::MIN), PointFx::from_bits(1_342_218_239, 1_006_663_680));
     let largest = Rect::new(i32::MIN, 0, i32::MAX, 1);
-    let far = Viewport::new([-one, -one], [one, one], largest).vertex(I16F16::MAX, one);
+    let far = Viewport::new([-one, -one], [one, one], largest).to_screen(I16F16::MAX, one);
     assert_eq!(far, PointFx::from_bits(i32::MAX, 256), "it stops at the end");
 }

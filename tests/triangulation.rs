@@ -284,6 +284,26 @@ fn scratch_of_every_size() {
     assert!(fitted > 1_000 && refused > 1_000, "{fitted} fitted, {refused} refused");
 }
 
+/// As many as there are, or the same errors as from a table of as many slots.
+#[test]
+fn vectors_hold_what_tables_hold() {
+    let mut rng = Rng::new(609);
+    let (mut full, mut refused) = (0, 0);
+    for _ in 0..20_000 {
+        let contours: Vec<Vec<Units>> = (0..rng.range(1, 3))
+            .map(|_| (0..rng.index(8)).map(|_| (rng.int(0, 4) * 256, rng.int(0, 4) * 256)).collect())
+            .collect();
+        let (units, starts) = flat(&contours);
+        let (places, mut slots, mut table) = (vertices(&units), [SideSlot::EMPTY; 20], [[0; 3]; 3]);
+        let got = triangulate::to_vec::<3>(&places, &starts, &mut slots);
+        let wanted = triangulate::list(&places, &starts, &mut slots, &mut table).map(|count| &table[..count]);
+        assert_eq!(got.as_ref().map(|triangles| &triangles[..]), wanted.as_ref().copied(), "{contours:?}");
+        full += usize::from(wanted.is_ok_and(|triangles| triangles.len() == 3));
+        refused += usize::from(matches!(wanted, Err(TriangulateError::TriangleTableFull { .. })));
+    }
+    assert!(full > 100 && refused > 100, "{full} were full, {refused} refused");
+}
+
 /// Starts that do not ascend, or lie beyond the end, make empty contours.
 #[test]
 fn strange_starts() {

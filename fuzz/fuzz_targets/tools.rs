@@ -96,7 +96,7 @@ fn viewports(input: &mut Input<'_>) {
     }
     let (plane_x, plane_y) = ((low[0], high[0]), (low[1], high[1]));
     let wanted = (map_twin(x, plane_x, screen_x), map_twin(y, plane_y, screen_y));
-    assert_eq!(units(view.vertex_from_bits([x, y])), wanted, "({x}, {y}) in {view:?}");
+    assert_eq!(units(view.bits_to_screen([x, y])), wanted, "({x}, {y}) in {view:?}");
     let wanted = [map_twin(x, screen_x, plane_x), map_twin(y, screen_y, plane_y)];
-    assert_eq!(view.place_bits(PointFx::from_bits(x, y)), wanted, "back from ({x}, {y}) in {view:?}");
+    assert_eq!(view.to_plane_bits(PointFx::from_bits(x, y)), wanted, "back from ({x}, {y}) in {view:?}");
 }

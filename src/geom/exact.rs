@@ -1,5 +1,5 @@
-//! The two questions that all plane geometry asks, answered exactly: which way a path turns, and whether a place lies in
-//! the circle through three others.
+//! Two questions that algorithms of plane geometry are made of, answered exactly: which way a path turns, and whether a
+//! place lies in the circle through three others.
 //!
 //! Both are signs of determinants of differences, which have up to 32 bits and a sign:
 //! ```text
@@ -8,17 +8,18 @@
 //!                                                  | cx-dx  cy-dy  C |
 //! ```
 //! A product of two differences stays below 2^64, so `turn` compares magnitudes of 64 bits; when the differences fit
-//! `i32`, two multiplications do. In `in_circle` a minor has up to 65 bits and a sum of squares 65, so the determinant has
-//! up to 132: the sums of squares are cut into a high part and 32 low bits, and each part times the minors fits `i128`.
+//! `i32`, two multiplications do. In `in_circle` a minor has up to 65 bits and a sum of squares 65, so the determinant
+//! has up to 132: the sums of squares are cut into a high part and 32 low bits, and each part times the minors fits
+//! `i128`.
 //!
-//! Range: any `I24F8`. No division, no rounding, no allowance for "almost".
+//! Range: any `I24F8`. Nothing is divided or rounded, so there is no tolerance: `Equal` means exactly equal.
 //!
-//! Source: L. Guibas and J. Stolfi, "Primitives for the manipulation of general subdivisions and the computation of Voronoi
-//! diagrams", ACM Transactions on Graphics 4, 1985 (the predicates CCW and InCircle).
+//! Source: L. Guibas and J. Stolfi, "Primitives for the manipulation of general subdivisions and the computation of
+//! Voronoi diagrams", ACM Transactions on Graphics 4, 1985 (the predicates CCW and InCircle).
 
 use core::cmp::Ordering;
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::num::{
     cast::narrow,
     round::{compare_products, difference},
@@ -27,8 +28,8 @@ use crate::num::{
 /// A place in 24.8 units.
 pub(crate) type Place = (i32, i32);
 
-/// Which way the path from `a` over `b` to `c` turns: `Greater` when clockwise as seen on the screen, where y points down;
-/// `Less` when the other way; `Equal` when the three lie on a line or two of them are one.
+/// Which way the path from `a` over `b` to `c` turns: `Greater` when clockwise as seen on the screen, where y points
+/// down; `Less` when the other way; `Equal` when the three lie on a line or two of them are one.
 /// ```
 /// use core::cmp::Ordering;
 /// use embedded_raster::{geom::exact::turn, PointFx};
@@ -42,7 +43,7 @@ pub fn turn(a: PointFx, b: PointFx, c: PointFx) -> Ordering {
     turn_at(bits(a), bits(b), bits(c))
 }
 
-/// [`turn`] in units. One copy of it: a triangulation asks in twenty places.
+/// [`turn`] in units. It is never inlined: a triangulation calls it from twenty places.
 #[inline(never)]
 pub(crate) fn turn_at(a: Place, b: Place, c: Place) -> Ordering {
     let (bx, by) = (difference(b.0, a.0), difference(b.1, a.1));
@@ -61,9 +62,9 @@ pub(crate) fn cross_sign(a: (i64, i64), b: (i64, i64)) -> Ordering {
     compare_products((a.0, b.1), (a.1, b.0))
 }
 
-/// Where `d` lies to the circle through `a`, `b` and `c`, which turn clockwise: `Greater` when inside, `Less` when outside,
-/// `Equal` when on it. For corners that turn the other way the answer is reversed; for three places on a line it tells the
-/// sides of that line.
+/// Where `d` lies to the circle through `a`, `b` and `c`, which turn clockwise: `Greater` when inside, `Less` when
+/// outside, `Equal` when on it. If the three turn the other way, `Greater` and `Less` change places. If they lie on a
+/// line, the answer is one of the two for one side of that line, and the other for the other side.
 /// ```
 /// use core::cmp::Ordering;
 /// use embedded_raster::{geom::exact::in_circle, PointFx};
@@ -91,5 +92,5 @@ pub fn in_circle(a: PointFx, b: PointFx, c: PointFx, d: PointFx) -> Ordering {
     high.cmp(&0).then(low.cmp(&0))
 }
 
-/// The low part of a sum of squares.
+/// The 32 low bits of a sum of squares.
 const LOW: i128 = 0xffff_ffff;

@@ -1,36 +1,58 @@
 //! Curves to lines, within a tolerance, on the grid of 1/256 pixel.
 //!
-//! A Bézier curve is cut into halves (of its time), those into halves again, until each part is flat, and becomes its chord, or
-//! bends evenly, and becomes a few chords of equal time.
+//! A Bézier curve is a function of time: P(t) for t from 0 to 1. It is cut in the middle of its time, the halves are
+//! cut in the middle of theirs, and so on, until each part is *flat* or *bends evenly*. A flat part becomes its chord,
+//! the straight line between its ends. A part that bends evenly becomes a few chords of equal time.
 //! ```text
 //!            _.-o-._
-//!         .o'       'o.               o  points on the curve, at its start, its end and the times T
+//!         .o'       'o.               o  points on the curve: the ends of the chords
 //!       .'             '.
-//!      o                 'o           from 0 to 1/2 it bends evenly: 3 pieces; from 1/2 to 3/4 one is enough
+//!      o                 'o           from 0 to 1/2 it bends evenly: 3 chords; from 1/2 to 3/4 one is enough
 //!                           '-o-....__o
 //! ```
-//! Of the part from t to t + h with the chord c, let `W(s)` be `h^2 P''/2` at t + s h: the control points of the part lie at the
-//! thirds of c, less W(1/3) / 3 and W(2/3) / 3. So it is never farther from c than `|W| / 4`, and, if its control points lie between
-//! the ends of c, not farther than `|W x c| / 4 |c|`. It is *flat* within `D` units when for both W
+//! **Symbols**, for the part from time t to time t + h:
+//! ```text
+//!     c       its chord as a vector: P(t + h) - P(t)
+//!     s       time within the part, from 0 at its start to 1 at its end
+//!     W(s)    its bend, a vector: h^2 P''(t + s h) / 2, half of the second derivative by s; linear in s
+//!     D       the tolerance, 32 units
+//!     a x b   the cross product ax by - ay bx;   a b   the scalar product ax bx + ay by;   |a|   the length of a
+//! ```
+//! **How far a part is from its chord.** The inner control points of the part are the points at one and two thirds of
+//! its chord, less W(1/3) / 3 and W(2/3) / 3. So at time s the curve is
+//! ```text
+//!     s (1 - s) ((1 - s) W(1/3) + s W(2/3))
+//! ```
+//! away from the point at s of the chord, and s (1 - s) is 1/4 at most: with the longer of these two W, never farther
+//! than
+//! |W| / 4. If, besides, both control points lie between the ends of the chord, as seen along it, then only the distance across
+//! the chord counts, with the W that is larger across it: |W x c| / (4 |c|).
+//!
+//! **Flat** is a part when, for both W(1/3) and W(2/3),
 //! ```text
 //!     |W x c| / 4 D <= |c|  and  |W c| <= |c|^2      if |c| >= 4 D
 //!     |W| <= 4 D                                     if |c| < 4 D
 //! ```
-//! Else let W be that of its ends, W(0) and W(1). One of m pieces is not farther from its chord than the longer W, `/ 4 m^2`: the
-//! fewest are m with `|W| <= 4 D m^2`. It *bends evenly* if m is 2, or if m is at most 16 and both W point across the chord, to the
-//! same side: `4 |W x c| > |W||c|` for the longer W. There pieces of equal time are hardly more than there must be.
+//! **Bends evenly.** If a part is not flat, let W be the longer one of W(0) and W(1). In m pieces of equal time, h is m
+//! times less and bends are m^2 times less: each piece is within |W| / (4 m^2) of its chord. The fewest pieces are the
+//! lowest m with |W| <= 4 D m^2. The part bends evenly if m is 2; or if m is at most 16, both W(0) and W(1) point to
+//! the same side of the chord, and `4 |V x c| > |W| |c|`, V being the one of the two with the smaller product: both
+//! point across the chord rather than along it. Then pieces of equal time are hardly more than there must be.
 //!
-//! All W and the quotient are rounded down to whole numbers, and parts with a coordinate of W not within 2^15 are neither flat nor
-//! even. Where a side of the chord has more than 15 bits, both sides lose their low ones, down to 15, and so does W c. D is 32
-//! units. Piece i of m ends at `t + i h / m`, rounded to the nearest 2^-20.
+//! **Rounding.** The coordinates of all W and the quotient by 4 D are rounded down to whole numbers. A part with a
+//! coordinate of W that is not within 2^15 is neither flat nor even: it is halved. Where a coordinate of c has more
+//! than 15 bits, both lose as many low bits as the longer one has too many, and W c loses as many. Piece i of m ends at
+//! time `t + i h / m`, rounded to the nearest 2^-20.
 //!
-//! A vertex is the point of the curve, exactly, rounded to the nearest unit (halves upwards). Together with all that is rounded
-//! above, lines stay within 34.6 units (0.136 pixels) of the curve. The same curve from its end to its start has the same
-//! vertices: shapes that share it leave no gap.
+//! A vertex is the exact point of the curve, rounded to the nearest unit (halves upwards). With everything that is
+//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve. A curve and the same curve from its end to
+//! its start have the same vertices: shapes that share it leave no gap.
 //!
-//! **Work.** A curve has at most 2^15 pieces, as many as the ends of the type can make, and fewer halvings than pieces. A part that
-//! lies beside the window with all of its tolerance becomes its chord, whatever its bend. That changes no pixel of a fill:
-//! left of the window, how often a row is crossed depends on the two ends only; on the other sides nothing counts.
+//! **Work.** A curve has 2^15 pieces at most, when its control points are at the ends of the type, and fewer halvings
+//! than pieces. A part that lies as a whole on one side of the window, tolerance included, becomes its chord however
+//! much it bends. That changes no pixel of a fill: of what lies left of the window it only matters how often a row is
+//! crossed in each direction, and the ends of the part decide that; what lies above, below or right of the window does
+//! not matter.
 //!
 //! Range: any `I24F8`. Points are sums below 2^93, in words of 64 and 32 bits.
 //!
@@ -38,24 +60,88 @@
 
 use core::{num::NonZeroU32, slice::Iter};
 
-use super::{bits, path::PathSegment, view::View, PointFx};
+use super::{
+    path::{Path, PathSegment},
+    point::{bits, PointFx},
+    view::View,
+};
 use crate::{
     num::{
         cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
         round::difference,
         wide::times,
     },
+    span::Rect,
     tune::COMPACT,
 };
 
-/// 4 D is `2^7` units.
-const FOUR_D: u32 = 7;
-/// Bits of the parameter t.
-const TIME: u32 = 20;
-/// The end of a curve.
-const END: u32 = 1 << TIME;
+/// 4 D is `2^7` units: the tolerance D is 32 of them.
+const FOUR_D_BITS: u32 = 7;
+/// Times are in units of `2^-20`.
+const TIME_BITS: u32 = 20;
+/// The time at the end of a curve.
+const END: u32 = 1 << TIME_BITS;
 
-/// The vertices of one contour of a [`Path`](super::Path), the first one included, the closing side not.
+impl<'a> Path<'a> {
+    /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
+    #[inline]
+    pub const fn contours(self) -> Contours<'a> {
+        Contours { rest: self.segments(), start: PointFx::from_bits(0, 0), view: View::ALL }
+    }
+
+    /// The contours for a fill of which only `window` is seen. It has the same pixels there with fewer vertices: curves
+    /// beside the window are not followed, so the number of vertices depends on the window and not on the size of the
+    /// curves.
+    #[inline]
+    pub fn contours_in(self, window: Rect) -> Contours<'a> {
+        Contours { view: View::of(window, 0), ..self.contours() }
+    }
+
+    /// The contours for something that is drawn up to `reach` units (1/256 pixel) around them, of which only `window`
+    /// is seen.
+    #[inline]
+    pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
+        Contours { view: View::of(window, reach), ..self.contours() }
+    }
+}
+
+/// The contours of a [`Path`].
+#[derive(Clone, Debug)]
+pub struct Contours<'a> {
+    rest: &'a [PathSegment],
+    /// Where a contour without a move starts.
+    start: PointFx,
+    view: View,
+}
+
+impl<'a> Iterator for Contours<'a> {
+    type Item = Contour<'a>;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Contour<'a>> {
+        while let [PathSegment::MoveTo(start), rest @ ..] = self.rest {
+            (self.start, self.rest) = (*start, rest);
+        }
+        let (mut len, mut closed) = (0_usize, false);
+        for segment in self.rest {
+            match segment {
+                PathSegment::MoveTo(_) => break,
+                PathSegment::Close => closed = true,
+                _ => {}
+            }
+            len = len.wrapping_add(1);
+            if closed {
+                break;
+            }
+        }
+        let (segments, rest) = self.rest.split_at_checked(len).filter(|_| len > 0)?;
+        self.rest = rest;
+        Some(Contour::new(self.start, segments, closed, self.view))
+    }
+}
+
+/// The vertices of one contour of a [`Path`], from its start on. Where the contour is closed, the start does not come
+/// again.
 #[derive(Clone, Debug)]
 pub struct Contour<'a> {
     start: Option<PointFx>,
@@ -66,7 +152,7 @@ pub struct Contour<'a> {
     view: View,
 }
 
-/// A vertex, and whether the path goes on smoothly there, inside of a curve.
+/// A vertex, and whether it lies inside of a curve, where the path has no corner.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Knot {
     pub(crate) at: PointFx,
@@ -91,8 +177,8 @@ impl<'a> Contour<'a> {
             return Some(Knot { at, smooth: false });
         }
         loop {
-            if let Some(node) = self.curve.as_mut().and_then(|curve| curve.next(&self.view)) {
-                return Some(node);
+            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view)) {
+                return Some(knot);
             }
             let from = self.at;
             self.at = match *self.segments.next()? {
@@ -119,27 +205,30 @@ impl Iterator for Contour<'_> {
 
     #[inline]
     fn next(&mut self) -> Option<PointFx> {
-        self.next_knot().map(|node| node.at)
+        self.next_knot().map(|knot| knot.at)
     }
 }
 
-/// A curve on its way. Times are in units of 2^-20.
+/// A curve that is being cut into pieces. Times are in units of 2^-20.
 #[derive(Clone, Debug)]
 struct Bezier {
     x: Polynomial,
     y: Polynomial,
+    /// The part whose pieces come now.
     part: Section,
-    /// Where the pieces so far ended.
+    /// Where the last piece ended.
     last: PointFx,
-    /// The end of the part that was looked at last: of the next one too, if it is the second half of what was halved.
+    /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its
+    /// second half ends where it did, and the point is not computed again.
     ahead: (u32, PointFx),
-    /// No part of it can leave the view.
-    whole: bool,
-    /// W can be found in 32 bits.
-    small: bool,
+    /// All control points lie in the view, and with them every part.
+    is_inside: bool,
+    /// Bends can be computed in 32 bits.
+    is_small: bool,
 }
 
-/// A part of a curve, from `start` on and `2^level` long, after `done` of its pieces.
+/// A part of a curve, from time `start` on and `2^level` units of time long. It has so many `pieces`, of which some are
+/// done.
 #[derive(Copy, Clone, Debug)]
 struct Section {
     start: u32,
@@ -153,7 +242,7 @@ impl Section {
         self.start.wrapping_add(1_u32.wrapping_shl(self.level))
     }
 
-    /// When so many of its pieces are done. From its end to its start, the times are the same.
+    /// The time when so many of its pieces are done. A curve from its end to its start is cut at the same times.
     fn time(self, done: u32) -> u32 {
         let Some(pieces) = NonZeroU32::new(self.pieces) else { return self.start };
         self.start.wrapping_add(done.wrapping_shl(self.level).wrapping_add(self.pieces >> 1) / pieces)
@@ -173,13 +262,13 @@ impl Bezier {
         Self::new(x, y, (points[0], points[3]), points.iter().all(|&p| view.holds(p)))
     }
 
-    fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), whole: bool) -> Self {
-        let small = !COMPACT && x.is_small() && y.is_small();
+    fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), is_inside: bool) -> Self {
+        let is_small = !COMPACT && x.is_small() && y.is_small();
         let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
-        Self { x, y, part, last: start, ahead: (END, end), whole, small }
+        Self { x, y, part, last: start, ahead: (END, end), is_inside, is_small }
     }
 
-    /// The end of the next piece.
+    /// The end of the next piece; `None` at the end of the curve.
     fn next(&mut self, view: &View) -> Option<Knot> {
         if self.part.done == self.part.pieces {
             let start = self.part.time(self.part.done);
@@ -194,9 +283,9 @@ impl Bezier {
         Some(Knot { at: self.last, smooth: time != END })
     }
 
-    /// The part from here on that is not halved, because it is flat, bends evenly or cannot be seen.
+    /// The part that starts here and is not halved, because it is flat, bends evenly, or lies beside the view.
     fn next_part(&mut self, start: u32, view: &View) -> Section {
-        // The largest one that begins here: all that hold it were halved before.
+        // Of the parts that halving makes, the longest that starts here: those around it were halved before.
         let mut part = Section { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
         loop {
             let end = part.end();
@@ -205,7 +294,7 @@ impl Bezier {
             }
             let bends = self.bends(part);
             part.pieces = bends.pieces(self.last, self.ahead.1);
-            if part.pieces == 0 && !self.whole && bends.hide(self.last, self.ahead.1, view) {
+            if part.pieces == 0 && !self.is_inside && bends.lie_beside(view, self.last, self.ahead.1) {
                 part.pieces = 1;
             }
             if part.pieces != 0 {
@@ -215,13 +304,13 @@ impl Bezier {
         }
     }
 
-    /// W at the thirds of a part.
+    /// W(1/3) and W(2/3) of a part.
     fn bends(&self, part: Section) -> Bends {
         let length = 1_u32.wrapping_shl(part.level);
         let first = part.start.wrapping_mul(3).wrapping_add(length);
-        let down = TIME.wrapping_sub(part.level) << 1;
+        let down = TIME_BITS.wrapping_sub(part.level) << 1;
         let bends = |time| {
-            if self.small {
+            if self.is_small {
                 (self.x.small_bend(time, down), self.y.small_bend(time, down))
             } else {
                 (self.x.bend(time, down), self.y.bend(time, down))
@@ -235,13 +324,13 @@ impl Bezier {
     }
 }
 
-/// W at the thirds of a part. A coordinate that does not fit is the largest there is.
+/// W(1/3) and W(2/3) of a part. A coordinate that does not fit is the largest there is.
 struct Bends((i32, i32), (i32, i32));
 
 impl Bends {
     /// How many pieces the part between two places is cut into; 0 if it is halved instead.
     ///
-    /// W and sides of the chord are below 2^15: sums of two products fit 31 bits.
+    /// Coordinates of W and of the chord are below 2^15: sums of two products fit 31 bits.
     #[inline(always)]
     fn pieces(&self, from: PointFx, to: PointFx) -> u32 {
         let &Self(first, second) = self;
@@ -251,17 +340,17 @@ impl Bends {
         let (c, scale) = chord(bits(from), bits(to));
         let square = product(c, c);
         let flat = |w: (i32, i32)| {
-            if square < 1 << (2 * FOUR_D) {
-                return product(w, w) <= 1 << (2 * FOUR_D);
+            if square < 1 << (2 * FOUR_D_BITS) {
+                return product(w, w) <= 1 << (2 * FOUR_D_BITS);
             }
-            let across = cross(w, c).unsigned_abs() >> FOUR_D;
+            let across = cross(w, c).unsigned_abs() >> FOUR_D_BITS;
             let along = product(w, c).wrapping_shr(scale);
             along <= square && across >> 16 == 0 && across.wrapping_mul(across) <= square
         };
         if flat(first) && flat(second) {
             return 1;
         }
-        // On to the ends, as W is linear.
+        // W is linear: W(0) = 2 W(1/3) - W(2/3), and W(1) = 2 W(2/3) - W(1/3).
         let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
         let start = (on(first.0, second.0), on(first.1, second.1));
         let end = (on(second.0, first.0), on(second.1, first.1));
@@ -270,8 +359,8 @@ impl Bends {
         }
         let longer = product(start, start).max(product(end, end));
         let mut pieces = 1_u32;
-        // |W| <= 4 D m^2, in squares.
-        while pieces.wrapping_mul(pieces).wrapping_shl(FOUR_D).wrapping_pow(2) < longer {
+        // The lowest m with |W| <= 4 D m^2, both sides squared.
+        while pieces.wrapping_mul(pieces).wrapping_shl(FOUR_D_BITS).wrapping_pow(2) < longer {
             pieces = pieces.wrapping_add(1);
         }
         let (p, q) = (cross(start, c), cross(end, c));
@@ -284,23 +373,25 @@ impl Bends {
         }
     }
 
-    /// Whether the part between two places lies beside the view.
-    fn hide(&self, from: PointFx, to: PointFx, view: &View) -> bool {
+    /// Whether the part between two places, which has these bends, lies on one side of the view as a whole.
+    fn lie_beside(&self, view: &View, from: PointFx, to: PointFx) -> bool {
         let &Self((a, b), (c, d)) = self;
         let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
-        // It is within |W| / 4 of the chord; W and both ends are rounded.
+        // It is within |W| / 4 of the chord, in x and in y alike; the 3 units are for the rounding of W and of both
+        // ends.
         size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
     }
 }
 
-/// Whether all coordinates are within 2^15.
+/// Whether all coordinates are from -2^15 to below 2^15.
 #[inline(always)]
 fn are_small(a: (i32, i32), b: (i32, i32)) -> bool {
     let beyond = |n: i32| unsigned(n).wrapping_add(1 << 15) >> 16;
     beyond(a.0) | beyond(a.1) | beyond(b.0) | beyond(b.1) == 0
 }
 
-/// From one place to another, in 15 bits and a sign, and how many low bits it lost.
+/// The vector from one place to another, its coordinates in 15 bits and a sign, and how many low bits they lost for
+/// that.
 fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
     let (x, y) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
     let lost = 17_u32.saturating_sub((x | y).leading_zeros());
@@ -315,23 +406,24 @@ fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
     ((side(x, to.0 < from.0), side(y, to.1 < from.1)), lost)
 }
 
+/// The cross product of two vectors.
 #[inline(always)]
 fn cross(a: (i32, i32), b: (i32, i32)) -> i32 {
     a.0.wrapping_mul(b.1).wrapping_sub(a.1.wrapping_mul(b.0))
 }
 
-/// The scalar product of two vectors, without its sign.
+/// The magnitude of the scalar product of two vectors.
 #[inline(always)]
 fn product(a: (i32, i32), b: (i32, i32)) -> u32 {
     a.0.wrapping_mul(b.0).wrapping_add(a.1.wrapping_mul(b.1)).unsigned_abs()
 }
 
-/// `P0 - 2 P1 + P2`: below 2^33.
-fn second([a, b, c]: [i32; 3]) -> i64 {
+/// The second difference of three control points, `a - 2 b + c`: below 2^33.
+fn second_difference([a, b, c]: [i32; 3]) -> i64 {
     difference(a, b).wrapping_add(difference(c, b))
 }
 
-/// One coordinate of a curve: `((a t + b) t + c) t + d`.
+/// One coordinate of a curve as a function of the time t: `((a t + b) t + c) t + d`.
 #[derive(Copy, Clone, Debug)]
 struct Polynomial {
     a: i64,
@@ -342,26 +434,30 @@ struct Polynomial {
 
 impl Polynomial {
     fn quadratic(p: [i32; 3]) -> Self {
-        Self { a: 0, b: second(p), c: difference(p[1], p[0]) << 1, d: p[0] }
+        Self { a: 0, b: second_difference(p), c: difference(p[1], p[0]) << 1, d: p[0] }
     }
 
     fn cubic([p0, p1, p2, p3]: [i32; 4]) -> Self {
         let c = difference(p1, p0).wrapping_mul(3);
-        let b = second([p0, p1, p2]).wrapping_mul(3);
+        let b = second_difference([p0, p1, p2]).wrapping_mul(3);
         Self { a: difference(p3, p0).wrapping_sub(difference(p2, p1).wrapping_mul(3)), b, c, d: p0 }
     }
 
-    /// `h^2 P''/2` at a third of `time / 2^20`, for h of `2^-down/2`. With the coefficients small, all fits 31 bits.
+    /// A coordinate of W, `h^2 P''/2`, for a part that takes the time h, with `h^2 = 2^-down`. P'' is taken at the time
+    /// `time / 3`, in units of 2^-20.
+    ///
+    /// `P''/2 = 3 a t + b`, which is `a time + b`. When both coefficients are [small](Self::is_small), everything fits
+    /// 31 bits.
     #[inline(always)]
     fn small_bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME;
+        let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME_BITS;
         narrow(self.b).wrapping_add(narrow(by_time)).wrapping_shr(down)
     }
 
-    /// The same of any curve: below 2^36 and 2^56 before the shifts.
+    /// The same for any coefficients: the sum is below 2^36, and the product below 2^56, before they are shifted.
     #[inline(never)]
     fn bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = self.a.wrapping_mul(i64::from(time)) >> TIME;
+        let by_time = self.a.wrapping_mul(i64::from(time)) >> TIME_BITS;
         saturate(self.b.wrapping_add(by_time).wrapping_shr(down))
     }
 
@@ -372,14 +468,15 @@ impl Polynomial {
 
     /// Its value at `t / 2^20`, rounded to nearest.
     ///
-    /// `a t + b` is below 2^36 and `(a t + b) t + c` below 2^35, as it is the slope of a chord of the curve; times 2^20 and 2^40
-    /// they are sums of 56 and 75 bits, and the third product is as large as the curve: 2^32 times 2^60.
+    /// `a t + b` is below 2^36, and times 2^20 it has 56 bits. `(a t + b) t + c` is the slope of the chord from the
+    /// start of the curve to here, below 2^35, and times 2^40 it has 75 bits. The third product is the way from the
+    /// start to here: below 2^32, and 2^92 when times 2^60.
     #[inline(never)]
     fn at(self, t: u32) -> i32 {
-        let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME);
+        let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME_BITS);
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
-        let (high, _) = times((high.wrapping_add(self.c << (2 * TIME - 32)), low), t);
-        // Of the whole 96 bits a floor is wanted: the low word does not matter.
+        let (high, _) = times((high.wrapping_add(self.c << (2 * TIME_BITS - 32)), low), t);
+        // The low word is dropped: it never changes what is rounded down here.
         narrow(i64::from(self.d).wrapping_add(high.wrapping_add(1 << 27) >> 28))
     }
 }

@@ -1,4 +1,4 @@
-//! Shapes as numbers.
+//! Shapes as numbers: places, angles and paths, and what can be computed from them without drawing.
 //!
 //! ```text
 //!      0   1   2   3   x        pixel (x, y) is the square [x, x+1) x [y, y+1)
@@ -10,6 +10,7 @@
 //!      | . | . | . |   a PointFx names a place: * is PointFx::px(1, 2), a corner of four squares
 //!    y
 //! ```
+//! To make a place of a pixel is to take its centre: `PointFx::from(Point::new(2, 1))` is the middle of the square o.
 
 pub mod clip;
 pub mod delaunay;
@@ -19,13 +20,16 @@ pub mod polygon;
 pub mod triangulate;
 
 mod angle;
+mod outlines;
 mod path;
 mod point;
 mod view;
 mod viewport;
 
 pub use angle::Angle;
-pub use path::{Contours, Path, PathSegment};
+pub use flatten::Contours;
+pub use outlines::Outlines;
+pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
 pub use point::PointFx;
 pub(crate) use view::View;

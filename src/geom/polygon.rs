@@ -1,40 +1,46 @@
-//! What can be asked of a polygon: is it convex, which way round does it go, how large is it, is a place inside?
+//! What can be asked of a polygon: is it convex, which way round does it go, how large is it, is a place inside, where
+//! does a horizontal line cross it?
 //!
-//! Outlines are closed by themselves, the last vertex joined to the first. Vertices that repeat the one before or lie in
-//! the middle of a straight side never change an answer.
+//! An outline is closed: its last vertex is joined to its first. Vertices that repeat the one before, or lie in the
+//! middle of a straight side, never change an answer.
 //!
 //! Range: any `I24F8`; the answers are exact. Work: a few multiplications a side. Memory: none.
 //!
-//! **Convex.** Going round, the directions of the sides must turn always to the same hand and once round in all. Counting
-//! turns takes no angles: call a direction *forward* when it points to the right, or straight down. One round changes
-//! between forward and backward exactly twice, so a pentagram (two rounds) is found out although all its turns go to the
-//! same hand. Source: the winding of the tangent, as in J. O'Rourke, "Computational Geometry in C", 1998, section 1.4.
+//! **Convex** is an outline whose direction, from side to side, always turns the same way, left or right, and turns by
+//! one whole turn in all. A pentagram always turns the same way, too, but by two whole turns. To count them without
+//! angles, call a direction *forward* when it points to the right, or straight down, and *backward* otherwise: one
+//! whole turn changes between forward and backward exactly twice. Source: the winding of the tangent, as in J.
+//! O'Rourke, "Computational Geometry in C", 1998, section 1.4.
 //!
-//! **Inside** is what [`fill`](crate::raster::polygon::fill) paints, for any place instead of centres of pixels: one
-//! exactly on a side counts as if it stood at (+e, +e^2). Source: the crossings of a ray, M. Shimrat, "Algorithm 112",
-//! Communications of the ACM 5, 1962, with the half-open rows of the rasterizer.
+//! **Inside** is what [`fill`](crate::raster::polygon::fill) paints, for any place instead of the centres of pixels. A
+//! place exactly on a side counts as if it were moved a little to the right, and much less down. Source: the crossings
+//! of a ray, M. Shimrat, "Algorithm 112", Communications of the ACM 5, 1962, with the half-open rows of the rasterizer.
 
-use core::{borrow::Borrow, cmp::Ordering};
+use core::{borrow::Borrow, cmp::Ordering, mem::swap};
+
+use fixed::types::I24F8;
+use heapless::Vec;
 
 use super::{
-    bits,
+    clip::place_between,
     exact::{cross_sign, turn_at, Place},
-    PointFx,
+    point::{bits, PointFx},
 };
-use crate::num::round::difference;
+use crate::{error::CrossingListFull, num::round::difference};
 
-/// Which regions of a contour that crosses itself, or of several contours, are inside.
+/// Which regions are inside, where a contour crosses itself or there are several contours.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FillRule {
-    /// Where the contours wind around the place, in either direction.
+    /// A place is inside if the contours go round it more often in one direction than in the other.
     #[default]
     NonZero,
-    /// Where an odd number of sides lies to the left.
+    /// A place is inside if an odd number of sides lies to its left.
     EvenOdd,
 }
 
 impl FillRule {
-    /// The bits of the winding number that tell inside from outside.
+    /// The bits of the winding number of a place that are not all 0 if it is inside.
     #[inline(always)]
     pub(crate) fn mask(self) -> i32 {
         match self {
@@ -56,10 +62,10 @@ fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, mut visit: imp
     visit(last, first);
 }
 
-/// Whether the outline goes once round a convex region, in either direction.
+/// Whether an outline goes once round a convex region, in either direction.
 ///
-/// Its sides then cross every row twice at most. An outline without area is convex if it goes there and back once, or
-/// stays at one place. One that crosses itself, goes round twice, or has a spike is not.
+/// Its sides then cross every row twice at most. An outline without area is convex if it goes along a straight line and
+/// back once, or stays at one place. An outline that crosses itself, goes round twice, or has a spike is not convex.
 /// ```
 /// use embedded_raster::{geom::polygon::is_convex, PointFx};
 /// let outline = |places: &[(i32, i32)]| places.iter().map(|&(x, y)| PointFx::px(x, y)).collect::<Vec<_>>();
@@ -68,16 +74,16 @@ fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, mut visit: imp
 /// assert!(!is_convex(&outline(&[(0, -20), (12, 17), (-19, -6), (19, -6), (-12, 17)])), "a pentagram");
 /// ```
 pub fn is_convex(outline: &[PointFx]) -> bool {
-    let mut path = Turns::default();
-    sides(outline, |a, b| path.go((difference(b.0, a.0), difference(b.1, a.1))));
-    // The turn at the first side.
-    if let Some(first) = path.first {
-        path.go(first);
+    let mut turns = Turns::default();
+    sides(outline, |a, b| turns.add((difference(b.0, a.0), difference(b.1, a.1))));
+    // The turn from the last side to the first one.
+    if let Some(first) = turns.first {
+        turns.add(first);
     }
-    !(path.clockwise && path.counterclockwise) && path.reversals <= 2
+    !(turns.clockwise && turns.counterclockwise) && turns.reversals <= 2
 }
 
-/// What the directions of the sides did so far.
+/// The turns from each side to the next, so far.
 #[derive(Default)]
 struct Turns {
     first: Option<(i64, i64)>,
@@ -89,8 +95,8 @@ struct Turns {
 }
 
 impl Turns {
-    /// Goes on by a side.
-    fn go(&mut self, side: (i64, i64)) {
+    /// Adds the turn to the next side, given by its direction.
+    fn add(&mut self, side: (i64, i64)) {
         if side == (0, 0) {
             return;
         }
@@ -108,9 +114,11 @@ impl Turns {
     }
 }
 
-/// Twice the area of an outline, positive when it goes clockwise as seen on the screen; in units of 1/65,536 of a pixel.
+/// Twice the area of an outline, in units of 1/65,536 of a pixel: positive if it goes clockwise as seen on the screen,
+/// negative if it goes the other way.
 ///
-/// Regions that the outline goes round twice count twice, those that it goes round the other way count negative.
+/// Regions that the outline goes round twice count twice. Where it goes round some regions clockwise and others the
+/// other way, they count with opposite signs.
 /// ```
 /// use embedded_raster::{geom::polygon::twice_area, PointFx};
 /// let outline = [(0, 0), (4, 0), (4, 3)].map(|(x, y)| PointFx::px(x, y));
@@ -118,7 +126,7 @@ impl Turns {
 /// ```
 pub fn twice_area(outline: &[PointFx]) -> i128 {
     let Some((&first, &last)) = outline.first().zip(outline.last()) else { return 0 };
-    // Each x times the height from the vertex before to the one after, below 2^63.
+    // The sum of x (y after - y before) over all vertices; each product is below 2^63.
     let mut sum = 0_i128;
     let mut add = |before: PointFx, at: PointFx, after: PointFx| {
         let height = difference(bits(after).1, bits(before).1);
@@ -133,8 +141,8 @@ pub fn twice_area(outline: &[PointFx]) -> i128 {
     sum
 }
 
-/// Which way an outline goes round: `Greater` when clockwise as seen on the screen, `Less` when the other way, `Equal` when
-/// it has no area. Of one that crosses itself, what most of its area says.
+/// Which way an outline goes round: `Greater` when clockwise as seen on the screen, `Less` when the other way, `Equal`
+/// when it has no area. An outline that crosses itself goes the way that it goes round most of its area.
 /// ```
 /// use core::cmp::Ordering;
 /// use embedded_raster::{geom::polygon::orientation, PointFx};
@@ -149,8 +157,8 @@ pub fn orientation(outline: &[PointFx]) -> Ordering {
 
 /// Whether a place lies inside of a polygon.
 ///
-/// * `contours`: closed outlines, as for [`fill`](crate::raster::polygon::fill). With [`PointFx::centre_of`] a pixel it is
-///   true exactly for the pixels that `fill` paints.
+/// * `contours`: closed outlines, as for [`fill`](crate::raster::polygon::fill). With [`PointFx::centre_of`] a pixel it
+///   is true exactly for the pixels that `fill` paints.
 /// ```
 /// use embedded_raster::{geom::polygon::contains, FillRule, PointFx};
 /// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
@@ -173,11 +181,90 @@ where
                 return;
             }
             let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
-            // Seen downwards along the side, a place on its right on the screen turns the other way.
+            // The side lies left of the place, or the place is on it: from upper over lower to the place is no turn
+            // clockwise.
             if turn_at(upper, lower, at) != Ordering::Greater {
                 winding = winding.wrapping_add(sign);
             }
         });
     }
     winding & rule.mask() != 0
+}
+
+/// Where a horizontal line crosses a side of a polygon.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Crossing {
+    /// The exact place, rounded to the nearest 1/256 pixel, halves to the right.
+    pub x: I24F8,
+    /// The side goes down the screen from where it starts to where it ends; otherwise it goes up.
+    pub goes_down: bool,
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Crossing {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(
+            f,
+            "Crossing {{ x: {}, goes_down: {} }}",
+            crate::num::decimal::Decimal::new(self.x),
+            self.goes_down
+        );
+    }
+}
+
+/// Where a horizontal line at height `y` crosses the sides of a polygon, from left to right.
+///
+/// * `contours`: closed outlines, as for [`contains`].
+/// * `N`: how many crossings there is room for.
+///
+/// A side that ends exactly on the line counts if the rest of it lies below, and a horizontal side never does, so the
+/// number of crossings is always even. By the even-odd rule the line is inside of the polygon from the first crossing
+/// to the second, from the third to the fourth, and so on: what hatching draws. Crossings that are rounded to the same
+/// x come in any order.
+///
+/// # Errors
+/// [`CrossingListFull`] if there are more than `N`.
+/// ```
+/// use embedded_raster::{geom::polygon::crossings, CrossingListFull, PointFx};
+/// use fixed::types::I24F8;
+/// let letter_v = [(0, 0), (3, 0), (5, 6), (7, 0), (10, 0), (5, 9)].map(|(x, y)| PointFx::px(x, y));
+/// let found = crossings::<_, 4>([&letter_v], I24F8::from_num(3))?;
+/// let x: Vec<f32> = found.iter().map(|crossing| crossing.x.to_num()).collect();
+/// assert_eq!(x, [1.66796875, 4.0, 6.0, 8.33203125]);
+/// let error = crossings::<_, 1>([&letter_v], I24F8::from_num(3)).unwrap_err();
+/// assert_eq!(error, CrossingListFull { capacity: 1, needed: 4 });
+/// # Ok::<(), CrossingListFull>(())
+/// ```
+pub fn crossings<C, const N: usize>(contours: C, y: I24F8) -> Result<Vec<Crossing, N>, CrossingListFull>
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let (y, mut found, mut needed) = (y.to_bits(), Vec::new(), 0_usize);
+    for contour in contours {
+        sides(contour, |a, b| {
+            let (a_is_above, b_is_above) = (a.1 <= y, b.1 <= y);
+            if a_is_above != b_is_above {
+                let x = I24F8::from_bits(place_between((a.1, b.1), (a.0, b.0), y));
+                insert(&mut found, Crossing { x, goes_down: a_is_above });
+                needed = needed.saturating_add(1);
+            }
+        });
+    }
+    if needed > N {
+        return Err(CrossingListFull { capacity: N, needed });
+    }
+    Ok(found)
+}
+
+/// Inserts a crossing before those that lie further right. Of a full list the last one gets lost.
+fn insert<const N: usize>(list: &mut Vec<Crossing, N>, new: Crossing) {
+    let mut next = new;
+    for crossing in list.iter_mut() {
+        if next.x < crossing.x {
+            swap(crossing, &mut next);
+        }
+    }
+    list.push(next).unwrap_or(());
 }

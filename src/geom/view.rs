@@ -1,9 +1,9 @@
-//! [`View`]: a window as shapes see it.
+//! [`View`]: the part of the plane that a window shows, for shapes that leave out what is not seen.
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::{num::cast::saturate, span::Rect};
 
-/// What may be seen: places in 24.8 units, all four sides included.
+/// A rectangle of places, in 24.8 units, its sides included.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) struct View {
     x0: i32,
@@ -16,14 +16,15 @@ impl View {
     /// Everywhere.
     pub(crate) const ALL: Self = Self { x0: i32::MIN, y0: i32::MIN, x1: i32::MAX, y1: i32::MAX };
 
-    /// A window, and `reach` units around it.
+    /// A window, with a margin of `reach` units around it.
     pub(crate) fn of(window: Rect, reach: u32) -> Self {
         let low = |n: i32| saturate((i64::from(n) << 8).wrapping_sub(i64::from(reach)));
         let high = |n: i32| saturate((i64::from(n) << 8).wrapping_add(i64::from(reach)));
         Self { x0: low(window.x0), y0: low(window.y0), x1: high(window.x1), y1: high(window.y1) }
     }
 
-    /// Whether the box around two places, and `slack` units around it, lies on one side of the view.
+    /// Whether the box around two places, with a margin of `slack` units, lies beside the view: as a whole left of it,
+    /// right of it, above it or below it.
     #[inline(never)]
     pub(crate) fn hides(&self, a: PointFx, b: PointFx, slack: i64) -> bool {
         let (a, b) = (bits(a), bits(b));
@@ -34,11 +35,12 @@ impl View {
         beside(a.0, b.0, self.x0, self.x1) || beside(a.1, b.1, self.y0, self.y1)
     }
 
-    /// Its first corner and its last.
+    /// Its upper left corner and its lower right one.
     pub(crate) const fn corners(&self) -> [(i32, i32); 2] {
         [(self.x0, self.y0), (self.x1, self.y1)]
     }
 
+    /// Whether a place lies in it.
     pub(crate) fn holds(&self, v: PointFx) -> bool {
         let (x, y) = bits(v);
         self.x0 <= x && x <= self.x1 && self.y0 <= y && y <= self.y1

@@ -1,23 +1,25 @@
-//! [`Viewport`]: coordinates of a plane to places on the screen, and back.
+//! [`Viewport`]: from the coordinates of a plane (a chart, a map) to places on the screen, and back.
 //!
-//! Along each axis, `v0` goes to `p0` and `v1` to `p1`, and everything else to the unit nearest to the straight line through
-//! these two:
+//! Each axis is a straight line through two given pairs of numbers: `v0` on the plane is `p0` on the screen, and `v1`
+//! is `p1`. Any other number v of the plane is the unit of the screen (1/256 pixel) that is nearest to
 //! ```text
-//!     p(v) = p0 + floor( (v - v0) (p1 - p0) / (v1 - v0) + 1/2 )
+//!     p(v) = p0 + (v - v0) (p1 - p0) / (v1 - v0)          halfway between two units: the larger one
 //! ```
-//! One rounding of an exact quotient: nothing drifts, corners are exact, and the order of coordinates is kept, as a rounded
-//! straight line has no steps back. The way back is the same formula with the two sides exchanged, so it is off by half a
-//! unit of the plane at most; from a place on the screen and to it again is no change at all while a unit of the plane is
-//! not larger than one of the screen.
+//! The quotient is exact, and rounded once. So nothing drifts, the corners are exact, and what is in order on the plane
+//! is in order on the screen, because a straight line that is rounded never steps back.
 //!
-//! Range: any 32 bits on both sides. Factors have 32 bits and a sign, their product 64; the quotient takes one long
-//! division. What would lie beyond the ends of the type stops there.
+//! The way back is the same formula with the plane and the screen exchanged. Its result is off by half a unit of the
+//! plane at most. If a unit of the plane is not larger than a unit of the screen, a place on the screen that is taken
+//! to the plane and back again is the same place.
+//!
+//! Range: any 32 bits on both sides. A difference of two such numbers has 32 bits and a sign, a product of two
+//! differences 64, and the quotient takes one long division. What would lie beyond the ends of the type stops there.
 
 use core::num::NonZeroU32;
 
 use fixed::types::I16F16;
 
-use super::{bits, PointFx};
+use super::point::{bits, PointFx};
 use crate::{
     num::{
         cast::{saturate, signed_wide},
@@ -28,18 +30,19 @@ use crate::{
 
 /// A map between a rectangle of a plane and one of the screen.
 ///
-/// Numbers of the plane are in any unit of 32 bits: `I16F16` for [`new`](Self::new) and [`place`](Self::place), or else the
-/// bits of what you like.
+/// Coordinates of the plane are `I16F16`, or any other numbers of 32 bits: methods with `bits` in their names take and
+/// return them as they are, without a unit.
 /// ```
 /// use embedded_raster::{geom::Viewport, Rect, PointFx};
 /// use fixed::types::I16F16;
 /// let one = I16F16::ONE;
 /// let view = Viewport::new([-one, -one], [one, one], Rect::new(0, 0, 320, 240)).with_y_up();
-/// assert_eq!(view.vertex(-one, one), PointFx::px(0, 0));
-/// assert_eq!(view.vertex(I16F16::ZERO, I16F16::ZERO), PointFx::px(160, 120));
-/// assert_eq!(view.place(PointFx::px(240, 240)), [one / 2, -one]);
+/// assert_eq!(view.to_screen(-one, one), PointFx::px(0, 0));
+/// assert_eq!(view.to_screen(I16F16::ZERO, I16F16::ZERO), PointFx::px(160, 120));
+/// assert_eq!(view.to_plane(PointFx::px(240, 240)), [one / 2, -one]);
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viewport {
     x: AxisMap,
     y: AxisMap,
@@ -47,21 +50,24 @@ pub struct Viewport {
 
 /// Two ends on the plane, and theirs on the screen.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct AxisMap {
     plane: (i32, i32),
     screen: (i32, i32),
 }
 
 impl Viewport {
-    /// Maps the rectangle from corner `low` to corner `high` to the outline of `area`: `low` to its left upper corner.
+    /// The corner `low` of a rectangle of the plane goes to the upper left corner of `area`, the corner `high` to the
+    /// lower right one.
     ///
-    /// `high` may be less than `low`: then that axis is turned round. If they are the same, all goes to where `low` goes.
+    /// Where `high` is less than `low`, that axis is reversed. Where they are the same, everything goes to where `low`
+    /// goes.
     #[inline]
     pub fn new(low: [I16F16; 2], high: [I16F16; 2], area: Rect) -> Self {
         Self::from_bits(low.map(I16F16::to_bits), high.map(I16F16::to_bits), area)
     }
 
-    /// The same for corners in any unit.
+    /// [`new`](Self::new) for corners in any unit.
     #[inline]
     pub fn from_bits(low: [i32; 2], high: [i32; 2], area: Rect) -> Self {
         let (upper, lower) = (bits(PointFx::px(area.x0, area.y0)), bits(PointFx::px(area.x1, area.y1)));
@@ -72,7 +78,7 @@ impl Viewport {
         }
     }
 
-    /// The same with y of the plane pointing up: `low` goes to the left lower corner.
+    /// The same map upside down, for planes where y points up: `low` goes to the lower left corner.
     #[inline]
     #[must_use]
     pub fn with_y_up(self) -> Self {
@@ -82,24 +88,24 @@ impl Viewport {
 
     /// Where a place of the plane lies on the screen, to the nearest 1/256 pixel.
     #[inline]
-    pub fn vertex(&self, x: I16F16, y: I16F16) -> PointFx {
-        self.vertex_from_bits([x.to_bits(), y.to_bits()])
+    pub fn to_screen(self, x: I16F16, y: I16F16) -> PointFx {
+        self.bits_to_screen([x.to_bits(), y.to_bits()])
     }
 
-    /// The same in any unit.
-    pub fn vertex_from_bits(&self, [x, y]: [i32; 2]) -> PointFx {
+    /// [`to_screen`](Self::to_screen) for coordinates in any unit.
+    pub fn bits_to_screen(self, [x, y]: [i32; 2]) -> PointFx {
         let to_screen = |v, axis: AxisMap| map(v, axis.plane, axis.screen);
         PointFx::from_bits(to_screen(x, self.x), to_screen(y, self.y))
     }
 
-    /// Which place of the plane lies at a place on the screen, to the nearest unit.
+    /// Which place of the plane lies at a place on the screen, to the nearest unit of the plane.
     #[inline]
-    pub fn place(&self, at: PointFx) -> [I16F16; 2] {
-        self.place_bits(at).map(I16F16::from_bits)
+    pub fn to_plane(self, at: PointFx) -> [I16F16; 2] {
+        self.to_plane_bits(at).map(I16F16::from_bits)
     }
 
-    /// The same in any unit.
-    pub fn place_bits(&self, at: PointFx) -> [i32; 2] {
+    /// [`to_plane`](Self::to_plane) for coordinates in any unit.
+    pub fn to_plane_bits(self, at: PointFx) -> [i32; 2] {
         let to_plane = |p, axis: AxisMap| map(p, axis.screen, axis.plane);
         let (x, y) = bits(at);
         [to_plane(x, self.x), to_plane(y, self.y)]

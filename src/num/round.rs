@@ -16,8 +16,8 @@ pub(crate) fn floor_div_rem(n: i32, d: NonZeroU32) -> (i32, u32) {
 
 /// Quotient and remainder of a wide number whose quotient fits 32 bits: `n < 2^32 d`.
 ///
-/// One 32-bit division when `n` is small, else 32 steps of long division: shapes many thousand pixels wide pay for it,
-/// others do not, and no image links the 64-bit division of the runtime library.
+/// One 32-bit division when `n` is small, else 32 steps of long division. Only shapes many thousand pixels wide need
+/// the steps, and no firmware links the 64-bit division of the runtime library.
 #[inline(never)]
 pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
     let (mut rest, mut low) = (low_u32(n >> 32), low_u32(n));
@@ -26,7 +26,7 @@ pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
     }
     let d = d.get();
     for _ in 0..32 {
-        // (rest, low) shifts left by one; the quotient grows in the places that `low` leaves.
+        // (rest, low) is shifted left by one bit. The bits of the quotient come into `low` from the right.
         let carry = rest >> 31;
         rest = rest << 1 | low >> 31;
         low <<= 1;

@@ -1,8 +1,9 @@
 //! Quotient and remainder stepping: `floor(n / d)` while `n` grows by the same amount at every step.
 //!
-//! The quotient moves by `floor(step / d)`; the remainder moves by the rest of that division, and when it reaches `d`
-//! the quotient takes one more. Nothing is rounded, so nothing drifts. The remainder is stored as `r + (2^32 - d)`:
-//! then "reaches d" is the carry of a 32-bit addition, one instruction for every `d` up to `2^32 - 1`.
+//! At each step the quotient grows by `floor(step / d)`, and the remainder by the remainder of that division. When the
+//! remainder reaches `d`, it loses `d`, and the quotient grows by one more. Nothing is rounded, so nothing drifts. The
+//! remainder r is stored as `r + 2^32 - d`: then it reaches `d` when a 32-bit addition carries, which is cheap to test
+//! for every `d` up to `2^32 - 1`.
 //!
 //! Source: C. Hecker, "Perspective Texture Mapping, Part II", Game Developer, 1995.
 
@@ -23,7 +24,7 @@ pub(crate) struct Stepper {
 }
 
 impl Stepper {
-    /// A stepper that stands still.
+    /// A stepper whose steps change nothing.
     #[inline(always)]
     pub(crate) const fn still(value: i32) -> Self {
         Self { value, slope: 0, rest: 0, rest_step: 0, d: 0 }
@@ -35,7 +36,7 @@ impl Stepper {
         Self { value, slope, rest: rest.wrapping_sub(d.get()), rest_step, d: d.get() }
     }
 
-    /// One step on.
+    /// Takes one step.
     #[inline(always)]
     pub(crate) fn step(&mut self) {
         let (rest, carry) = self.rest.overflowing_add(self.rest_step);

@@ -1,10 +1,12 @@
 //! Cosine and sine by rotation: CORDIC, in shifts and additions.
 //!
-//! An angle is a fraction of a turn: `2^32` units. It is folded into an eighth of a turn, so that mirror images and
-//! quarter turns of a direction are exact; there, 28 rotations by `+-atan(2^-i)` bring the vector (K, 0) to the angle, K
-//! being the product of their cosines.
+//! An angle is a fraction of a turn, in units of `2^-32` turns. It is reduced to an eighth of a turn by mirroring at an
+//! axis or a diagonal; so directions that are mirror images have exactly mirrored results. Up to there, the vector (K,
+//! 0) is rotated 28 times, by `atan(2^-i)` forwards or backwards, whichever brings it closer to the angle. Each of
+//! these rotations is made of shifts and additions, and lengthens the vector by a factor of 1 / cos(atan(2^-i)): K is
+//! the product of those cosines, so that the length is 1 in the end.
 //!
-//! Error: below `2^-25` of the length, by test over all angles of a grid and random ones.
+//! Error: below `2^-25` of the length in each coordinate, tested at 200,000 angles.
 //!
 //! Source: J. Volder, "The CORDIC Trigonometric Computing Technique", IRE Transactions on Electronic Computers, 1959.
 
@@ -71,12 +73,12 @@ pub(crate) fn cos_sin(turn: u32) -> (i32, i32) {
     }
 }
 
-/// Up to an eighth of a turn.
+/// Cosine and sine of an angle up to an eighth of a turn.
 fn rotated(turn: u32) -> (i32, i32) {
     let (mut x, mut y, mut rest) = (K, 0_i32, signed(turn << 1));
     let mut shift = 0_u32;
     for angle in ANGLES {
-        // Half a unit is added to round the shift.
+        // Half of what the last bit stands for is added, so that the shift rounds to nearest.
         let half = signed(unsigned(1) << shift >> 1);
         let (dx, dy) = (y.wrapping_add(half) >> shift, x.wrapping_add(half) >> shift);
         if rest >= 0 {

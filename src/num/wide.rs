@@ -2,7 +2,7 @@
 
 use super::cast::{low_u32, signed_wide};
 
-/// `(2^32 high + low) factor`, in the same form: 96 bits, of which the caller knows that they are enough.
+/// `(2^32 high + low) factor`, in the same form. The caller knows that the product fits into 96 bits.
 #[inline(always)]
 pub(crate) fn times((high, low): (i64, u32), factor: u32) -> (i64, u32) {
     let product = u64::from(low).wrapping_mul(u64::from(factor));

@@ -80,7 +80,7 @@ fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool>
     cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
     cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
     // For the crate and what it depends on, not for the core library: a toolchain's own comes without them.
-    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck"] {
+    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck", "heapless"] {
         cargo.args(["--config", &format!("profile.release.package.{package}.overflow-checks={checks}")]);
     }
     cargo.args(if panics { &["--features", "panics"][..] } else { &[] });

@@ -11,9 +11,10 @@ use embedded_graphics_core::{
 use embedded_raster::{
     geom::{
         clip::{self, Clipped},
-        delaunay, exact, polygon,
+        delaunay, exact,
+        polygon::{self, Crossing},
         triangulate::{self, SideSlot},
-        Viewport,
+        Outlines, Viewport,
     },
     pixel::{Be, Lsb0, Xrgb8888},
     raster::{
@@ -24,7 +25,7 @@ use embedded_raster::{
     Angle, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path,
     PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
-use fixed::types::I24F8;
+use fixed::types::{I16F16, I24F8};
 
 /// A framebuffer as a driver hands it over.
 #[repr(C)]
@@ -316,10 +317,49 @@ pub unsafe extern "C" fn triangulate(
     let (nodes, triangles) = (slice::from_raw_parts_mut(nodes, slots), slice::from_raw_parts_mut(t, most));
     let mut sum = 0_usize;
     let each = triangulate::each(vertices, starts, nodes, |[a, ..]| sum = sum.wrapping_add(a.into()));
+    let some = triangulate::to_vec::<40>(vertices, starts, nodes).map_or(0, |triangles| triangles.len());
     match each.and_then(|()| triangulate::list(vertices, starts, nodes, triangles)) {
         Ok(count) => count,
-        Err(_) => sum,
+        Err(_) => sum.wrapping_add(some),
     }
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn outlines(p: *const PathSegment, n: usize, out: &mut Outlines<200, 3>) -> usize {
+    let Ok(outlines) = Path::new(slice::from_raw_parts(p, n)).outlines() else { return 0 };
+    *out = outlines;
+    out.contours().fold(0, |sum, contour| sum ^ contour.len())
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn crossings(v: *const PointFx, n: usize, y: i32, out: &mut heapless::Vec<Crossing, 9>) -> bool {
+    let Ok(crossings) = polygon::crossings([slice::from_raw_parts(v, n)], I24F8::from_bits(y)) else { return false };
+    *out = crossings;
+    true
+}
+
+#[no_mangle]
+pub extern "C" fn places(a: [i32; 2], b: [i32; 2], factor: i32, out: &mut PointFx) {
+    let (a, b) = (vertex(a), vertex(b));
+    *out = -(a + b - a * I24F8::from_bits(factor));
+    *out += PointFx::from(Point::new(factor, 0));
+    *out -= b;
+}
+
+#[no_mangle]
+pub extern "C" fn angles(bits: u32, degrees: i32, times: i32) -> u32 {
+    let (mut a, b) = (Angle::from_bits(bits), Angle::degrees_fx(I16F16::from_bits(degrees)));
+    a += b * times;
+    a -= Angle::degrees(degrees) + Angle::turns(bits, 365);
+    (-a).to_degrees().to_bits() as u32
+}
+
+#[no_mangle]
+pub extern "C" fn rectangles(a: [i32; 4], b: [i32; 4], n: i32, out: &mut [Rect; 4]) {
+    let rect = |[x0, y0, x1, y1]: [i32; 4]| Rect { x0, y0, x1, y1 };
+    let (a, b) = (rect(a), rect(b));
+    let around = Rect::from_center(b.top_left(), a.size());
+    *out = [a.union(b), a.intersection(b), a.translate(n, b.x0).inset(n), around];
 }
 
 #[no_mangle]
@@ -360,7 +400,7 @@ pub extern "C" fn clip_segment(p: [[i32; 2]; 4], out: &mut Option<Clipped>) {
 pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut PointFx) -> i32 {
     let [x0, y0, x1, y1] = area;
     let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
-    *out = view.vertex_from_bits(at);
-    let [x, y] = view.place_bits(vertex(at));
+    *out = view.bits_to_screen(at);
+    let [x, y] = view.to_plane_bits(vertex(at));
     x ^ y
 }

@@ -1,22 +1,23 @@
-//! Loops: which are holes, and the bridges that join them to what surrounds them.
+//! Loops: which of them go round holes, and the bridges that join these to the outlines around them.
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, SideSlot};
+use super::mesh::{in_sector, order, Mesh, SideSlot};
 use crate::{
     geom::exact::{turn_at, Place},
     num::round::difference,
 };
 
-/// The node was seen on its loop.
+/// The loop of the node was looked at.
 const SEEN: u16 = 1;
 
 impl Mesh<'_> {
-    /// Joins every loop that goes round a hole to one that lies further left, and so in the end to an outline.
+    /// Joins every loop that goes round a hole to a loop that reaches further left. If that goes round a hole, it is
+    /// joined in turn, and the last one of them is an outline.
     pub(super) fn bridge_holes(&mut self) {
         for i in self.numbers() {
             if self.node(i).flags & SEEN == 0 {
-                let (area, leftmost) = self.survey(i);
+                let (area, leftmost) = self.area_and_leftmost(i);
                 if area < 0 {
                     self.bridge(leftmost);
                 }
@@ -24,8 +25,8 @@ impl Mesh<'_> {
         }
     }
 
-    /// Twice the area of a loop, and its leftmost vertex, the uppermost of several.
-    fn survey(&mut self, start: u16) -> (i128, u16) {
+    /// Twice the area of a loop, negative if it goes round a hole, and its leftmost vertex, the uppermost of several.
+    fn area_and_leftmost(&mut self, start: u16) -> (i128, u16) {
         let (mut area, mut leftmost) = (0_i128, self.node(start).vertex);
         self.walk(start, start, |mesh, i| {
             let [before, at, after] = mesh.corner(i);
@@ -38,9 +39,9 @@ impl Mesh<'_> {
         (area, leftmost)
     }
 
-    /// Joins the hole whose leftmost vertex this is to a corner that it sees on its left, there and back.
+    /// Joins a hole, given by its leftmost vertex, to a vertex on its left by two sides, one in each direction.
     fn bridge(&mut self, hole: u16) {
-        let Some(corner) = self.seen_from(hole) else { return };
+        let Some(corner) = self.visible_from(hole) else { return };
         let node_at = |vertex: u16, towards: u16| {
             let place = self.place(towards);
             self.numbers().find(|&i| self.node(i).vertex == vertex && in_sector(self.corner(i), place))
@@ -55,11 +56,13 @@ impl Mesh<'_> {
         self.join(on, after);
     }
 
-    /// A vertex left of a hole that can be joined to its leftmost vertex without crossing a side.
+    /// A vertex on the left of a hole that can be joined to the leftmost vertex of the hole without crossing a side.
     ///
-    /// The ray to the left from there hits a side; take the end of it that lies further left. If other vertices are in the
-    /// triangle of the two and the place that was hit, the one seen closest to the ray hides them all.
-    fn seen_from(&self, hole: u16) -> Option<u16> {
+    /// The ray from that leftmost vertex to the left hits a side, and the end of this side that lies further left is a
+    /// candidate. If vertices lie in the triangle between the candidate, the leftmost vertex and the place that was
+    /// hit, they may be in the way. Of these take the one whose direction from the leftmost vertex is closest to the
+    /// ray: nothing is in front of it.
+    fn visible_from(&self, hole: u16) -> Option<u16> {
         let h = self.place(hole);
         let (upper, lower) = self.side_left_of(h)?;
         let (u, v) = (self.place(upper), self.place(lower));
@@ -69,7 +72,7 @@ impl Mesh<'_> {
         for i in self.numbers() {
             let vertex = self.node(i).vertex;
             let (p, goal) = (self.place(vertex), self.place(best));
-            let in_reach = p != h && (down(p) < down(h)) == is_above && turn_at(u, v, p) == Ordering::Less;
+            let in_reach = p != h && (order(p) < order(h)) == is_above && turn_at(u, v, p) == Ordering::Less;
             if !in_reach {
                 continue;
             }
@@ -82,14 +85,14 @@ impl Mesh<'_> {
         Some(best)
     }
 
-    /// The side that the ray from a place to the left hits first, from its upper end to its lower.
+    /// The side that a ray from a place to the left hits first: its upper end and its lower end.
     fn side_left_of(&self, h: Place) -> Option<(u16, u16)> {
         let mut nearest = None;
         for i in self.numbers() {
             let node = self.node(i);
             let side = self.downwards(node.vertex, self.node(node.next).vertex);
             let (u, v) = (self.place(side.0), self.place(side.1));
-            let is_left = down(u) < down(h) && down(h) < down(v) && turn_at(u, v, h) == Ordering::Less;
+            let is_left = order(u) < order(h) && order(h) < order(v) && turn_at(u, v, h) == Ordering::Less;
             if is_left && nearest.is_none_or(|other| self.is_right_of(side, other)) {
                 nearest = Some(side);
             }
@@ -97,10 +100,10 @@ impl Mesh<'_> {
         nearest
     }
 
-    /// Whether a side lies right of another one on the rows that they share; they do not cross.
+    /// Whether a side lies right of another one on the rows that both of them have. They do not cross.
     fn is_right_of(&self, side: (u16, u16), other: (u16, u16)) -> bool {
         let [u, v, other_u, other_v] = [side.0, side.1, other.0, other.1].map(|vertex| self.place(vertex));
-        match down(u).cmp(&down(other_u)) {
+        match order(u).cmp(&order(other_u)) {
             Ordering::Less => turn_at(u, v, other_u) == Ordering::Greater,
             Ordering::Equal => turn_at(other_u, other_v, v) == Ordering::Less,
             Ordering::Greater => turn_at(other_u, other_v, u) == Ordering::Less,

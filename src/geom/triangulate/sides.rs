@@ -1,12 +1,12 @@
-//! Sides: where they cross and touch; then a set of them that share nothing but ends, each with the inside on its right.
+//! Sides: finds where they cross and touch, makes of them a set in which sides share nothing but ends, and directs each
+//! so that the inside is on its right hand.
 
 use core::cmp::Ordering;
 
-use super::{down, in_sector, Mesh, SideSlot};
+use super::mesh::{in_sector, order, Mesh, SideSlot};
 use crate::geom::{
-    bits,
     exact::{turn_at, Place},
-    PointFx,
+    point::{bits, PointFx},
 };
 
 /// The sides of all contours, as the numbers of the vertices where they start and end.
@@ -14,7 +14,7 @@ use crate::geom::{
 pub(super) struct Sides<'a> {
     vertices: &'a [PointFx],
     starts: &'a [u16],
-    /// The contour: its first vertex, the next side, and the vertex after its last.
+    /// The contour at hand: its first vertex, the vertex where its next side starts, and the one after its last.
     first: usize,
     at: usize,
     end: usize,
@@ -37,7 +37,7 @@ impl<'a> Sides<'a> {
         self.vertices.len()
     }
 
-    /// False after the last one.
+    /// Goes on to the next contour; false after the last one.
     fn next_contour(&mut self) -> bool {
         if self.at == self.vertices.len() {
             return false;
@@ -53,6 +53,7 @@ impl<'a> Sides<'a> {
         true
     }
 
+    /// The next side: the numbers of the vertices at its ends.
     fn next(&mut self) -> Option<(usize, usize)> {
         while self.at >= self.end {
             if !self.next_contour() {
@@ -68,7 +69,7 @@ impl<'a> Sides<'a> {
         self.vertices.get(vertex).copied().map_or((0, 0), bits)
     }
 
-    /// The first two sides that cross at a place inside of both, by the vertices where they start.
+    /// The first two sides that cross at a place that is an end of neither, by the vertices where they start.
     pub(super) fn crossing(mut self) -> Option<(usize, usize)> {
         while let Some((first, end)) = self.next() {
             let (a, b) = (self.place(first), self.place(end));
@@ -82,7 +83,7 @@ impl<'a> Sides<'a> {
         None
     }
 
-    /// How often a vertex lies on a side between its ends, those at the same place counted once.
+    /// How often a vertex lies on a side between the ends of it. Vertices at the same place count once for a side.
     pub(super) fn touches(mut self) -> usize {
         let mut count = 0_usize;
         while let Some((from, to)) = self.next() {
@@ -105,24 +106,28 @@ impl<'a> Sides<'a> {
 
 /// Whether the boxes of two sides have a place in common.
 #[inline(always)]
-fn boxes_meet((a, b): (Place, Place), (c, d): (Place, Place)) -> bool {
-    let meet = |a: i32, b: i32, c: i32, d: i32| a.min(b) <= c.max(d) && c.min(d) <= a.max(b);
-    meet(a.0, b.0, c.0, d.0) && meet(a.1, b.1, c.1, d.1)
+fn boxes_overlap((a, b): (Place, Place), (c, d): (Place, Place)) -> bool {
+    let overlap = |a: i32, b: i32, c: i32, d: i32| a.min(b) <= c.max(d) && c.min(d) <= a.max(b);
+    overlap(a.0, b.0, c.0, d.0) && overlap(a.1, b.1, c.1, d.1)
 }
 
-/// Whether the sides `ab` and `cd` cross at a place inside of both.
+/// Whether the sides `ab` and `cd` cross at a place that is an end of neither: the ends of each lie on opposite sides
+/// of the other.
 fn cross(a: Place, b: Place, c: Place, d: Place) -> bool {
-    let apart = |p: Ordering, q: Ordering| p != Ordering::Equal && p == q.reverse();
-    boxes_meet((a, b), (c, d)) && apart(turn_at(a, b, c), turn_at(a, b, d)) && apart(turn_at(c, d, a), turn_at(c, d, b))
+    let opposite = |p: Ordering, q: Ordering| p != Ordering::Equal && p == q.reverse();
+    boxes_overlap((a, b), (c, d))
+        && opposite(turn_at(a, b, c), turn_at(a, b, d))
+        && opposite(turn_at(c, d, a), turn_at(c, d, b))
 }
 
 /// Whether `p` lies on the side `ab`, but not at an end.
 fn is_between(a: Place, b: Place, p: Place) -> bool {
-    boxes_meet((a, b), (p, p)) && p != a && p != b && turn_at(a, b, p) == Ordering::Equal
+    boxes_overlap((a, b), (p, p)) && p != a && p != b && turn_at(a, b, p) == Ordering::Equal
 }
 
 impl Mesh<'_> {
-    /// Loads the sides that are not a mere place, with the first vertex of each place for all of them.
+    /// Loads the sides whose ends are different places. Of several vertices at the same place the first one stands for
+    /// all.
     pub(super) fn load(&mut self, mut sides: Sides<'_>) {
         let all = sides;
         let number = |vertex: usize| u16::try_from(all.first_at(vertex)).unwrap_or(u16::MAX);
@@ -137,12 +142,12 @@ impl Mesh<'_> {
     /// Splits sides at the vertices that lie on them.
     pub(super) fn split(&mut self) {
         let mut i = 0;
-        // The parts that are added here are looked at in their turn.
+        // The parts are added at the end, and are split in their turn.
         while usize::from(i) < self.len {
             for vertex in 0..u16::try_from(self.vertices.len()).unwrap_or(u16::MAX) {
                 let side = self.node(i);
                 if is_between(self.place(side.vertex), self.place(side.end), self.place(vertex)) {
-                    // As vertices are looked at in order, it is the first at its place.
+                    // Vertices are tried in order, so this is the first one at its place.
                     self.set(i, |node| node.end = vertex);
                     self.push(SideSlot { vertex, ..side });
                 }
@@ -151,7 +156,7 @@ impl Mesh<'_> {
         }
     }
 
-    /// Takes out sides that lie on each other, two by two.
+    /// Takes out pairs of sides that lie on each other.
     pub(super) fn cancel(&mut self) {
         let mut i = 0;
         while usize::from(i) < self.len {
@@ -170,20 +175,20 @@ impl Mesh<'_> {
         }
     }
 
-    /// Puts the last side in place of another.
+    /// Removes a side: the last one takes its place.
     fn remove(&mut self, i: u16) {
         self.len = self.len.saturating_sub(1);
         let last = self.nodes.get(self.len).copied().unwrap_or(SideSlot::EMPTY);
         self.set(i, |node| *node = last);
     }
 
-    /// Turns every side so that the inside lies on its right hand, as seen on the screen.
+    /// Directs every side so that the inside lies on its right hand, as seen on the screen.
     pub(super) fn direct(&mut self) {
         for i in self.numbers() {
             let side = self.node(i);
             let (upper, lower) = self.downwards(side.vertex, side.end);
             let is_inside = self.numbers().fold(false, |odd, j| odd ^ (j != i && self.is_left(j, upper, lower)));
-            // Going down, the right hand is on the left of the screen.
+            // The right hand of a side that goes down is on the left of the screen.
             let goes_down = side.vertex == upper;
             if is_inside != goes_down {
                 self.set(i, |node| (node.vertex, node.end) = (side.end, side.vertex));
@@ -191,17 +196,18 @@ impl Mesh<'_> {
         }
     }
 
-    /// Whether a side passes left of another one just below the upper end of that one.
+    /// Whether a side passes left of another one, on the row just below the upper end of the other.
     fn is_left(&self, i: u16, upper: u16, lower: u16) -> bool {
         let side = self.node(i);
         let (u, v) = self.downwards(side.vertex, side.end);
-        // Sides from the same place are compared by their directions.
+        // Sides that start at the same place are compared by their directions.
         let seen = self.place(if u == upper { lower } else { upper });
         let (u, v, start) = (self.place(u), self.place(v), self.place(upper));
-        down(u) <= down(start) && down(start) < down(v) && turn_at(u, v, seen) == Ordering::Less
+        order(u) <= order(start) && order(start) < order(v) && turn_at(u, v, seen) == Ordering::Less
     }
 
-    /// Joins each side to the one that follows it: of those that start where it ends, the one with nothing in between.
+    /// Links each side to the one that follows it: of those that start where it ends, the one with none of the others
+    /// between the two, on the inside.
     pub(super) fn link(&mut self) {
         for i in self.numbers() {
             let side = self.node(i);

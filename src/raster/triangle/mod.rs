@@ -46,7 +46,7 @@ const SUMS: bool = DIVIDES && !COMPACT;
 ///
 /// Cannot fail. A triangle without area emits nothing.
 /// ```
-/// use embedded_raster::{raster::triangle, Rect, PointFx};
+/// use embedded_raster::{raster::triangle, ClippedSpan, PointFx, Rect};
 /// let mut widths = vec![];
 /// let corners = [PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)];
 /// triangle::fill(corners, Rect::new(0, 0, 64, 48), |s: ClippedSpan| widths.push(s.len()));

@@ -301,7 +301,7 @@ pub extern "C" fn signs(a: PointFx, b: PointFx, c: PointFx, d: PointFx, out: &mu
 pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i32; 2], out: &mut PointFx) -> i32 {
     let [x0, y0, x1, y1] = area;
     let view = Viewport::from_bits(low, high, Rect { x0, y0, x1, y1 }).with_y_up();
-    *out = view.vertex_from_bits(at);
-    let [x, y] = view.place_bits(*out);
+    *out = view.bits_to_screen(at);
+    let [x, y] = view.to_plane_bits(*out);
     x ^ y
 }
