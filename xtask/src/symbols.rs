@@ -36,8 +36,19 @@ const RULES: &[Rule] = &[
     Rule { program: "polygon", forbidden: &[LINE, TRIANGLE], reason: "a polygon needs no other shape" },
 ];
 
+/// Checks the firmwares of some chips at some opt-levels.
+pub fn check_all(chips: &[Chip], opts: &[Opt]) -> Result<()> {
+    for &chip in chips {
+        for &opt in opts {
+            check(chip, opt)?;
+            println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
+        }
+    }
+    Ok(())
+}
+
 /// Fails when a firmware has what it must not have.
-pub fn check(chip: Chip, opt: Opt) -> Result<()> {
+fn check(chip: Chip, opt: Opt) -> Result<()> {
     // The same build as that of the budgets.
     let folder = firmware::build_with_frames(size::PACKAGE, chip, opt)?;
     for program in size::programs()? {
