@@ -27,9 +27,9 @@ The firmware on emulated chips. Counts are instructions, not cycles.
 
     run <bin> [--package bench] [--target CHIP]... [--opt 3|s]
         build a program, run it and print what it prints
-    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack]
+    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack] [--rows NAME,NAME...]
         run `table` and print it as Markdown
-    size [--target CHIP]... [--opt 3|s]
+    size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s]
         draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
@@ -39,9 +39,9 @@ The firmware on emulated chips. Counts are instructions, not cycles.
 Documentation:
 
     readme
-        make the tables of the README anew, each by the command that stands above it
+        make the tables of README.md and docs/*.md anew, each by the command that stands above it
 
-CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
+CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
 
 fn main() -> ExitCode {
@@ -99,9 +99,11 @@ fn print_tables(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
     let format: Option<String> = args.opt_value_from_str("--format")?;
     let cell = args.opt_value_from_str("--per")?.unwrap_or(Cell::PerPixel);
+    let wanted = wanted_rows(&mut args)?;
     finish(args)?;
     for chip in chips {
         let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, opt)?)?;
+        let rows = table::select(rows, wanted.as_deref(), |row| &row.workload)?;
         println!("{}: {}\n", heading(chip, opt)?, cell.title());
         for name in table::formats(&rows) {
             if format.as_deref().is_none_or(|wanted| wanted == name) {
@@ -114,9 +116,11 @@ fn print_tables(mut args: Arguments) -> Result<()> {
 
 fn print_sizes(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Small)?);
+    let wanted = wanted_rows(&mut args)?;
     finish(args)?;
+    let programs = table::select(size::programs()?, wanted.as_deref(), |name| name)?;
     for chip in chips {
-        let table = size::markdown(&size::features(chip, opt)?, &size::painted(chip, opt)?);
+        let table = size::markdown(&size::features(&programs, chip, opt)?, &size::painted(&programs, chip, opt)?);
         println!("{}: bytes beyond `empty`\n\n{table}", heading(chip, opt)?);
     }
     Ok(())
@@ -166,10 +170,30 @@ fn opt(args: &mut Arguments, default: Opt) -> Result<Opt> {
     Ok(args.opt_value_from_str("--opt")?.unwrap_or(default))
 }
 
+/// The names after `--rows`.
+fn wanted_rows(args: &mut Arguments) -> Result<Option<Vec<String>>> {
+    let names: Option<String> = args.opt_value_from_str("--rows")?;
+    Ok(names.map(|names| names.split(',').map(str::to_owned).collect()))
+}
+
 fn finish(args: Arguments) -> Result<()> {
     let rest = args.finish();
     if !rest.is_empty() {
         bail!("not understood: {rest:?}\n\n{HELP}");
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_names_between_commas() {
+        let rows = |args: &[&str]| wanted_rows(&mut Arguments::from_vec(args.iter().map(Into::into).collect()));
+        assert_eq!(rows(&[]).expect("none are told"), None, "all of them");
+        let names = ["clear", "lines-12"].map(str::to_owned);
+        assert_eq!(rows(&["--rows", "clear,lines-12"]).expect("well-formed"), Some(names.to_vec()));
+        assert!(rows(&["--rows"]).is_err(), "no names");
+    }
 }
