@@ -14,6 +14,8 @@
 //!                                                      budget: what has grown
 //! ```
 
+#![allow(clippy::missing_errors_doc, reason = "a command that fails prints what was wrong")]
+
 pub mod budget;
 pub mod checks;
 pub mod chip;

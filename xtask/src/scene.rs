@@ -1,5 +1,6 @@
 //! Frames that every chip and this computer must draw alike.
 
+use std::fmt::Write;
 use std::process::Command;
 use std::str::FromStr;
 
@@ -115,7 +116,8 @@ fn map(chip: Chip, opt: Opt) -> Result<Ram> {
 fn markdown(frames: &[Frame]) -> String {
     let mut text = String::from("| frame | format | instructions | stack | CRC-32 |\n|---|---|---:|---:|---|\n");
     for Frame { name, format, instructions, stack, crc32 } in frames {
-        text += &format!("| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |");
     }
     text
 }

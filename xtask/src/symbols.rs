@@ -74,7 +74,7 @@ fn software_floats(chip: Chip) -> bool {
 fn names(elf: &Path) -> Result<Vec<String>> {
     let bytes = fs::read(elf).with_context(|| format!("reading {}", elf.display()))?;
     let file = object::File::parse(&*bytes)?;
-    let symbols = file.symbols().filter(|symbol| symbol.is_definition());
+    let symbols = file.symbols().filter(ObjectSymbol::is_definition);
     Ok(symbols.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
 }
 
