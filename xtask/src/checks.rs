@@ -1,132 +1,108 @@
-//! Builds that prove something.
+//! All checks in one command: [`check`] is what continuous integration runs, [`full`] what takes too long for every change.
 
 use std::process::Command;
+use std::time::Instant;
 
-use anyhow::{anyhow, ensure, Context, Result};
+use anyhow::{ensure, Context, Result};
 
-use crate::firmware::project;
-use crate::toolchain::Toolchain;
-use crate::Chip;
+use crate::firmware::{project, Opt};
+use crate::steps::step;
+use crate::{budget, proofs, scene, symbols, Chip};
 
-/// Builds the crate for a chip, warnings as errors.
-pub fn cross(chip: Chip) -> Result<()> {
-    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
-    cargo.args(["--quiet", "--release", "--package", "embedded-raster", "--lib"]).current_dir(project());
-    cargo.env("RUSTFLAGS", "--deny warnings").arg("--target-dir").arg(project().join("target/cross"));
-    let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
-    ensure!(status.success(), "the crate does not build for {chip}: cargo ended with {status}");
+/// What a build may be switched by: `--cfg` of each. A build that is given none takes the ways of this computer.
+const SWITCHES: [&str; 2] = ["embedded_raster_compact", "embedded_raster_small_core"];
+
+/// What [`check`] tests in each build that is switched: arguments of `cargo test`, of one call in each line. Filters go
+/// behind `--` and hold for all tests of their line.
+const SWITCHED_TESTS: &[&[&str]] = &[&[
+    "--test=exact_lines",
+    "--test=exact_triangles",
+    "--test=exact_polygons",
+    "--test=exact_ellipses",
+    "--test=laws",
+    "--test=golden",
+]];
+
+/// All that a change must pass, in some minutes.
+pub fn check() -> Result<()> {
+    let start = Instant::now();
+    quick(SWITCHED_TESTS)?;
+    passed(start);
     Ok(())
 }
 
-/// Links every drawing call with a panic handler that does not exist, in four configurations; and once a call that does
-/// panic, which must not link.
-pub fn probe() -> Result<()> {
-    ensure!(cfg!(target_os = "linux"), "the probe needs a linker that takes `-z defs`: run it on Linux");
-    let host = host()?;
-    ensure!(!link(&host, "3", "true", true)?, "the probe links although it panics: it proves nothing");
-    // Each of them is one unit of code, so two at a time.
-    std::thread::scope(|scope| {
-        let opts = ["3", "s"].map(|opt| {
-            let host = &host;
-            scope.spawn(move || {
-                for checks in ["true", "false"] {
-                    ensure!(
-                        link(host, opt, checks, false)?,
-                        "a panic can be reached at opt-level {opt}, overflow checks {checks}"
-                    );
-                    println!("no panic can be reached at opt-level {opt}, overflow checks {checks}");
-                }
-                Ok(())
-            })
-        });
-        opts.into_iter().try_for_each(|opt| opt.join().map_err(|_| anyhow!("a build ended badly"))?)
+/// [`check`], with all tests in every build, and all proofs and frames on every chip at every opt-level; the lab.
+pub fn full() -> Result<()> {
+    let start = Instant::now();
+    quick(&[&[]])?;
+    step("cross: every chip", || Chip::ALL.into_iter().try_for_each(proofs::cross))?;
+    step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
+    step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
+    for opt in Opt::ALL {
+        step(&format!("scene: every chip, opt-level {}", opt.name()), || scene::check_all(&Chip::ALL, opt))?;
+    }
+    cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"], &[])?;
+    passed(start);
+    Ok(())
+}
+
+fn quick(switched_tests: &[&[&str]]) -> Result<()> {
+    cargo_step("format", &["fmt", "--all", "--check"], &[])?;
+    cargo_step("clippy", &["clippy", "--workspace", "--all-targets"], &[])?;
+    cargo_step("clippy with defmt", &["clippy", "--package", "embedded-raster", "--features", "defmt"], &[])?;
+    cargo_step("documentation", &["doc", "--workspace", "--no-deps"], &[])?;
+    cargo_step("tests", &["test", "--workspace"], &[])?;
+    for switches in switched() {
+        for tests in switched_tests {
+            let args = [&["test", "--package", "embedded-raster"], *tests].concat();
+            cargo_step(&format!("tests with {}", switches.join(" and ")), &args, &switches)?;
+        }
+    }
+    step("probe", proofs::probe)?;
+    step("symbols: Cortex-M0+ at opt-level s", || symbols::check_all(&[Chip::M0], &[Opt::Small]))?;
+    step("budget", || budget::check(&budget::measure()?))
+}
+
+fn passed(start: Instant) {
+    println!("\nall checks passed in {} s", start.elapsed().as_secs());
+}
+
+/// Every choice of switches but none of them.
+fn switched() -> impl Iterator<Item = Vec<&'static str>> {
+    let chosen =
+        |choice: u32| (0..).zip(SWITCHES).filter(move |&(i, _)| choice >> i & 1 == 1).map(|(_, switch)| switch);
+    (1..1 << SWITCHES.len()).map(move |choice| chosen(choice).collect())
+}
+
+/// A command of cargo as a step. Warnings are errors.
+fn cargo_step(name: &str, args: &[&str], switches: &[&str]) -> Result<()> {
+    step(name, || {
+        let cfgs = switches.iter().flat_map(|switch| [" --cfg ", switch]).collect::<String>();
+        let flags = format!("--deny warnings{cfgs}");
+        println!("RUSTFLAGS=\"{flags}\" cargo {}", args.join(" "));
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+        cargo.args(args).current_dir(project());
+        // Cargo keeps what it built by these flags beside what it built by others. Other steps set flags of their own.
+        cargo.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags).env_remove("CARGO_ENCODED_RUSTFLAGS");
+        // Nobody debugs these builds.
+        for (variable, value) in
+            [("CARGO_INCREMENTAL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]
+        {
+            cargo.env(variable, value);
+        }
+        let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
+        ensure!(status.success(), "cargo ended with {status}");
+        Ok(())
     })
 }
 
-/// Whether it links; any failure but the missing panic handler is an error.
-fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
-    let folder = project().join("firmware/probe");
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    // With a target named, the flags are those of the library alone, not of build scripts as well.
-    cargo.args(["build", "--quiet", "--release", "--target", host]).current_dir(&folder);
-    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
-    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
-    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
-    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
-    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections");
-    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
-    let text = String::from_utf8_lossy(&output.stderr);
-    let refused = text.contains("a_panic_can_be_reached");
-    ensure!(output.status.success() || refused, "the probe does not build:\n{text}");
-    Ok(!refused)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The same on a chip: all calls as an image that is linked with nothing left out.
-pub fn panics(chip: Chip) -> Result<()> {
-    ensure!(!link_image(chip, "3", "true", true)?, "the probe links although it panics: it proves nothing");
-    for opt in ["3", "s"] {
-        for checks in ["true", "false"] {
-            let linked = link_image(chip, opt, checks, false)?;
-            ensure!(linked, "a panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
-            println!("no panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
-        }
+    #[test]
+    fn every_choice_of_switches_is_tested() {
+        let [a, b] = SWITCHES;
+        assert_eq!(switched().collect::<Vec<_>>(), [vec![a], vec![b], vec![a, b]]);
     }
-    Ok(())
-}
-
-/// Whether it links; any failure but the missing panic handler is an error.
-fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool> {
-    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
-    cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
-    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
-    // For the crate and what it depends on, not for the core library: a toolchain's own comes without them.
-    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck", "heapless"] {
-        cargo.args(["--config", &format!("profile.release.package.{package}.overflow-checks={checks}")]);
-    }
-    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
-    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
-    // Nobody calls the calls, and they are to be linked all the same. This also replaces the linker scripts of the firmware.
-    cargo.env("RUSTFLAGS", "-C link-arg=--no-gc-sections");
-    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
-    let text = String::from_utf8_lossy(&output.stderr);
-    let refused = text.contains("a_panic_can_be_reached");
-    ensure!(output.status.success() || refused, "the probe does not build:\n{text}");
-    Ok(!refused)
-}
-
-/// What takes too long for every change: the tests by the ways of small cores and small images, the proofs and the frames
-/// on every chip at every opt-level, the lab.
-pub fn full() -> Result<()> {
-    let commands: [&[&str]; 7] = [
-        &["xtask", "cross"],
-        &["test", "--workspace"],
-        &["xtask", "probe"],
-        &["xtask", "panics"],
-        &["xtask", "symbols"],
-        &["xtask", "budget"],
-        &["run", "--release", "--package", "lab", "--", "--quick"],
-    ];
-    commands.into_iter().try_for_each(|args| cargo(args, &[]))?;
-    for opt in ["3", "s"] {
-        cargo(&["xtask", "scene", "--opt", opt], &[])?;
-    }
-    let small = [("RUSTFLAGS", "--cfg small_core --cfg compact"), ("CARGO_TARGET_DIR", "target/small")];
-    cargo(&["test", "--package", "embedded-raster"], &small)
-}
-
-/// A command of cargo in the folder of the project, printed before it runs.
-fn cargo(args: &[&str], environment: &[(&str, &str)]) -> Result<()> {
-    println!("\n== cargo {}", args.join(" "));
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    let status = cargo.args(args).envs(environment.iter().copied()).current_dir(project()).status()?;
-    ensure!(status.success(), "cargo {} ended with {status}", args.join(" "));
-    Ok(())
-}
-
-/// The target that the compiler builds for by itself.
-fn host() -> Result<String> {
-    let output = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into())).arg("-vV").output()?;
-    let text = String::from_utf8(output.stdout)?;
-    let line = text.lines().find_map(|line| line.strip_prefix("host: "));
-    Ok(line.context("rustc -vV names no host")?.to_owned())
 }

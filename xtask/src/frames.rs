@@ -45,7 +45,7 @@ fn graph(file: &object::File<'_>) -> Result<Graph> {
         function.end = start + symbol.size();
         // Of several names for the same code the one that is looked for.
         if function.name != "main" {
-            function.name = symbol.name()?.to_owned();
+            symbol.name()?.clone_into(&mut function.name);
         }
     }
     let sizes =

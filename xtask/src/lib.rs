@@ -1,5 +1,5 @@
 //! The commands that people and CI both run. Most of it builds the firmware, runs it on emulated chips and makes tables of
-//! what it prints; [`checks`] are the rest.
+//! what it prints; [`proofs`] are builds that prove something, and [`checks`] runs everything, step by step.
 //!
 //! ```text
 //!  toolchain   one that has the target, or one that can build `core`
@@ -14,15 +14,19 @@
 //!                                                      budget: what has grown
 //! ```
 
+#![allow(clippy::missing_errors_doc, reason = "a command that fails prints what was wrong")]
+
 pub mod budget;
 pub mod checks;
 pub mod chip;
 pub mod emulator;
 pub mod firmware;
 pub mod frames;
+pub mod proofs;
 pub mod readme;
 pub mod scene;
 pub mod size;
+pub mod steps;
 pub mod symbols;
 pub mod table;
 pub mod toolchain;
@@ -36,4 +40,10 @@ use anyhow::Result;
 pub fn run(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<String> {
     let elf = firmware::build(program, chip, opt)?;
     emulator::run(chip, &elf)
+}
+
+/// Everything that a number depends on.
+pub fn heading(chip: Chip, opt: Opt) -> Result<String> {
+    let compiler = toolchain::Toolchain::find(chip)?.version()?;
+    Ok(format!("{chip}, opt-level {}, {compiler}", opt.name()))
 }

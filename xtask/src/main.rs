@@ -5,20 +5,21 @@ use std::process::ExitCode;
 use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::table::{self, Cell};
-use xtask::toolchain::Toolchain;
-use xtask::{budget, checks, readme, run, scene, size, symbols, Chip, Opt, Program};
+use xtask::{budget, checks, heading, proofs, readme, run, scene, size, symbols, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
 
+    check
+        all that a change must pass, as continuous integration runs it: about a quarter of an hour
+    full
+        the same with all tests in every build, on every chip at every opt-level: more than an hour
     cross [--target CHIP]...
         build the crate for the chips
     probe
         prove by the linker that no drawing call can panic: opt-level 3 and s, overflow checks on and off
     panics [--target CHIP]...
         the same on the chips
-    full
-        everything, with what is too slow for continuous integration: about an hour
     symbols [--target CHIP]... [--opt 3|s]
         fail when a firmware in size/ links what it does not use, or floats, at both opt-levels unless told
 
@@ -26,9 +27,9 @@ The firmware on emulated chips. Counts are instructions, not cycles.
 
     run <bin> [--package bench] [--target CHIP]... [--opt 3|s]
         build a program, run it and print what it prints
-    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack]
+    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack] [--rows NAME,NAME...]
         run `table` and print it as Markdown
-    size [--target CHIP]... [--opt 3|s]
+    size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s]
         draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
@@ -38,9 +39,9 @@ The firmware on emulated chips. Counts are instructions, not cycles.
 Documentation:
 
     readme
-        make the tables of the README anew, each by the command that stands above it
+        make the tables of README.md and docs/*.md anew, each by the command that stands above it
 
-CHIP is m0, m4 or riscv, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
+CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
 
 fn main() -> ExitCode {
@@ -58,7 +59,8 @@ fn command(mut args: Arguments) -> Result<()> {
         print!("{HELP}");
         return Ok(());
     }
-    match args.subcommand()?.as_deref() {
+    let name = args.subcommand()?;
+    match name.as_deref() {
         Some("run") => run_program(args),
         Some("table") => print_tables(args),
         Some("size") => print_sizes(args),
@@ -67,21 +69,19 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
-        Some("readme") => {
-            finish(args)?;
-            readme::update()
-        }
-        Some("full") => {
-            finish(args)?;
-            checks::full()
-        }
-        Some("probe") => {
-            finish(args)?;
-            checks::probe()
-        }
+        Some("readme") => alone(args, readme::update),
+        Some("check") => alone(args, checks::check),
+        Some("full") => alone(args, checks::full),
+        Some("probe") => alone(args, proofs::probe),
         Some(other) => bail!("no command `{other}`\n\n{HELP}"),
         None => bail!("which command?\n\n{HELP}"),
     }
+}
+
+/// A command without options.
+fn alone(args: Arguments, work: impl FnOnce() -> Result<()>) -> Result<()> {
+    finish(args)?;
+    work()
 }
 
 fn run_program(mut args: Arguments) -> Result<()> {
@@ -99,9 +99,11 @@ fn print_tables(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
     let format: Option<String> = args.opt_value_from_str("--format")?;
     let cell = args.opt_value_from_str("--per")?.unwrap_or(Cell::PerPixel);
+    let wanted = wanted_rows(&mut args)?;
     finish(args)?;
     for chip in chips {
         let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, opt)?)?;
+        let rows = table::select(rows, wanted.as_deref(), |row| &row.workload)?;
         println!("{}: {}\n", heading(chip, opt)?, cell.title());
         for name in table::formats(&rows) {
             if format.as_deref().is_none_or(|wanted| wanted == name) {
@@ -114,9 +116,11 @@ fn print_tables(mut args: Arguments) -> Result<()> {
 
 fn print_sizes(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Small)?);
+    let wanted = wanted_rows(&mut args)?;
     finish(args)?;
+    let programs = table::select(size::programs()?, wanted.as_deref(), |name| name)?;
     for chip in chips {
-        let table = size::markdown(&size::features(chip, opt)?, &size::painted(chip, opt)?);
+        let table = size::markdown(&size::features(&programs, chip, opt)?, &size::painted(&programs, chip, opt)?);
         println!("{}: bytes beyond `empty`\n\n{table}", heading(chip, opt)?);
     }
     Ok(())
@@ -125,16 +129,7 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
 fn print_scene(mut args: Arguments) -> Result<()> {
     let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
     finish(args)?;
-    let host = scene::on_host()?;
-    for chip in chips {
-        let frames = scene::on_chip(chip, opt)?;
-        println!("{}\n\n{}", heading(chip, opt)?, scene::markdown(&frames));
-        scene::compare(&host, chip, &frames)?;
-        let ram = scene::map(chip, opt)?;
-        println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
-    }
-    println!("All frames are those of this computer.");
-    Ok(())
+    scene::check_all(&chips, opt)
 }
 
 fn budget(mut args: Arguments) -> Result<()> {
@@ -144,44 +139,26 @@ fn budget(mut args: Arguments) -> Result<()> {
     if bless {
         return budget::bless(&measured);
     }
-    budget::check(&measured)?;
-    println!("{} numbers within their budgets", measured.len());
-    Ok(())
+    budget::check(&measured)
 }
 
 fn cross(mut args: Arguments) -> Result<()> {
     let chips = chips(&mut args)?;
     finish(args)?;
-    for chip in chips {
-        checks::cross(chip)?;
-        println!("builds for {chip}");
-    }
-    Ok(())
+    chips.into_iter().try_for_each(proofs::cross)
 }
 
 fn check_symbols(mut args: Arguments) -> Result<()> {
     let chips = chips(&mut args)?;
     let opts = args.opt_value_from_str("--opt")?.map_or(Opt::ALL.to_vec(), |opt| vec![opt]);
     finish(args)?;
-    for chip in chips {
-        for &opt in &opts {
-            symbols::check(chip, opt)?;
-            println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
-        }
-    }
-    Ok(())
+    symbols::check_all(&chips, &opts)
 }
 
 fn check_panics(mut args: Arguments) -> Result<()> {
     let chips = chips(&mut args)?;
     finish(args)?;
-    chips.into_iter().try_for_each(checks::panics)
-}
-
-/// Everything that a number depends on.
-fn heading(chip: Chip, opt: Opt) -> Result<String> {
-    let compiler = Toolchain::find(chip)?.version()?;
-    Ok(format!("{chip}, opt-level {}, {compiler}", opt.name()))
+    chips.into_iter().try_for_each(proofs::panics)
 }
 
 fn chips(args: &mut Arguments) -> Result<Vec<Chip>> {
@@ -193,10 +170,30 @@ fn opt(args: &mut Arguments, default: Opt) -> Result<Opt> {
     Ok(args.opt_value_from_str("--opt")?.unwrap_or(default))
 }
 
+/// The names after `--rows`.
+fn wanted_rows(args: &mut Arguments) -> Result<Option<Vec<String>>> {
+    let names: Option<String> = args.opt_value_from_str("--rows")?;
+    Ok(names.map(|names| names.split(',').map(str::to_owned).collect()))
+}
+
 fn finish(args: Arguments) -> Result<()> {
     let rest = args.finish();
     if !rest.is_empty() {
         bail!("not understood: {rest:?}\n\n{HELP}");
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_names_between_commas() {
+        let rows = |args: &[&str]| wanted_rows(&mut Arguments::from_vec(args.iter().map(Into::into).collect()));
+        assert_eq!(rows(&[]).expect("none are told"), None, "all of them");
+        let names = ["clear", "lines-12"].map(str::to_owned);
+        assert_eq!(rows(&["--rows", "clear,lines-12"]).expect("well-formed"), Some(names.to_vec()));
+        assert!(rows(&["--rows"]).is_err(), "no names");
+    }
 }

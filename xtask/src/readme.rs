@@ -1,4 +1,4 @@
-//! The tables of the README, made anew by the commands that stand above them.
+//! The tables of the README and of the pages in `docs/`, made anew by the commands that stand above them.
 //!
 //! A table stands between two comments. The first says where it comes from: a command of this tool, or a heading of a file
 //! whose first table it is.
@@ -10,6 +10,7 @@
 
 use std::env;
 use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{ensure, Context, Result};
@@ -18,15 +19,27 @@ use crate::firmware::project;
 
 const END: &str = "<!-- end -->";
 
-/// Writes all tables of the README anew.
+/// Writes all tables of all pages anew.
 pub fn update() -> Result<()> {
-    let path = project().join("README.md");
-    let old = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
-    fs::write(&path, fill(&old, source)?).with_context(|| format!("writing {}", path.display()))
+    pages()?.iter().try_for_each(|page| {
+        let old = fs::read_to_string(page).with_context(|| format!("reading {}", page.display()))?;
+        let new = fill(&old, source).with_context(|| format!("in {}", page.display()))?;
+        fs::write(page, new).with_context(|| format!("writing {}", page.display()))
+    })
+}
+
+/// The README and the pages in `docs/`.
+fn pages() -> Result<Vec<PathBuf>> {
+    let mut pages = vec![project().join("README.md")];
+    for entry in project().join("docs").read_dir().context("reading docs/")? {
+        pages.extend(Some(entry?.path()).filter(|path| path.extension().is_some_and(|e| e == "md")));
+    }
+    pages.sort();
+    Ok(pages)
 }
 
 /// The text with every table replaced by what `source` makes of its first comment.
-fn fill(text: &str, source: impl Fn(&str) -> Result<String>) -> Result<String> {
+fn fill(text: &str, mut source: impl FnMut(&str) -> Result<String>) -> Result<String> {
     let mut new = String::new();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
@@ -35,7 +48,7 @@ fn fill(text: &str, source: impl Fn(&str) -> Result<String>) -> Result<String> {
         let Some(name) = line.strip_prefix("<!-- ").and_then(|line| line.strip_suffix(" -->")) else { continue };
         let table = source(name).with_context(|| format!("the table of `{name}`"))?;
         ensure!(lines.any(|line| line == END), "no `{END}` after `{name}`");
-        new += &format!("\n{}\n\n{END}\n", table.trim());
+        new.extend(["\n", table.trim(), "\n\n", END, "\n"]);
     }
     Ok(new)
 }
@@ -70,6 +83,24 @@ mod tests {
         let new = fill(text, |name| Ok(format!("| {name} |\n"))).expect("well-formed");
         assert_eq!(new, "# a\n<!-- one -->\n\n| one |\n\n<!-- end -->\nb\n");
         assert_eq!(fill(&new, |name| Ok(format!("| {name} |\n"))).expect("well-formed"), new);
+    }
+
+    /// Without running them: their commands are known, and their tables have ends.
+    #[test]
+    fn tables_of_all_pages_have_a_source() {
+        let mut tables = 0;
+        for page in pages().expect("the folder") {
+            let text = fs::read_to_string(&page).expect("pages are readable");
+            let filled = fill(&text, |name| {
+                tables += 1;
+                if !name.starts_with("cargo xtask ") {
+                    source(name)?;
+                }
+                Ok(String::new())
+            });
+            assert!(filled.is_ok(), "{}: {filled:?}", page.display());
+        }
+        assert!(tables > 0, "there are some");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Frames that every chip and this computer must draw alike.
 
+use std::fmt::Write;
 use std::process::Command;
 use std::str::FromStr;
 
@@ -7,7 +8,7 @@ use anyhow::{bail, ensure, Context, Error, Result};
 
 use crate::firmware::{self, Opt, Program};
 use crate::size::Sections;
-use crate::{emulator, run, Chip};
+use crate::{emulator, heading, run, Chip};
 
 /// The programs that print frames: all of them, and the map with its memory static.
 const SCENE: Program<'_> = Program { package: "bench", bin: "scene" };
@@ -50,6 +51,20 @@ fn parse(output: &str) -> Result<Vec<Frame>> {
     output.lines().filter(|line| !line.starts_with('#')).map(str::parse).collect()
 }
 
+/// Draws all frames on some chips and prints what they take. Fails where one is not that of this computer.
+pub fn check_all(chips: &[Chip], opt: Opt) -> Result<()> {
+    let host = on_host()?;
+    for &chip in chips {
+        let frames = on_chip(chip, opt)?;
+        println!("{}\n\n{}", heading(chip, opt)?, markdown(&frames));
+        compare(&host, chip, &frames)?;
+        let ram = map(chip, opt)?;
+        println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
+    }
+    println!("All frames are those of this computer.");
+    Ok(())
+}
+
 /// Draws all frames on this computer.
 pub fn on_host() -> Result<Vec<Frame>> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
@@ -82,15 +97,15 @@ pub fn compare(host: &[Frame], chip: Chip, frames: &[Frame]) -> Result<()> {
 
 /// What the map takes when its memory is static.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Ram {
+struct Ram {
     /// Bytes of static RAM: framebuffer, edge table, and what the board needs.
-    pub statics: u64,
+    statics: u64,
     /// Bytes of stack.
-    pub stack: u32,
+    stack: u32,
 }
 
 /// Builds and runs the map alone.
-pub fn map(chip: Chip, opt: Opt) -> Result<Ram> {
+fn map(chip: Chip, opt: Opt) -> Result<Ram> {
     let elf = firmware::build(&MAP, chip, opt)?;
     let frames = parse(&emulator::run(chip, &elf)?)?;
     let stack = frames.first().context("the map prints nothing")?.stack;
@@ -98,10 +113,11 @@ pub fn map(chip: Chip, opt: Opt) -> Result<Ram> {
 }
 
 /// A Markdown table of the frames of a chip.
-pub fn markdown(frames: &[Frame]) -> String {
+fn markdown(frames: &[Frame]) -> String {
     let mut text = String::from("| frame | format | instructions | stack | CRC-32 |\n|---|---|---:|---:|---|\n");
     for Frame { name, format, instructions, stack, crc32 } in frames {
-        text += &format!("| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |");
     }
     text
 }

@@ -1,5 +1,6 @@
 //! Flash, RAM and stack of the programs in `size`, beyond an empty one.
 
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -66,8 +67,12 @@ impl Sections {
     fn beyond(self, other: Self) -> [i64; 3] {
         let fields = |s: Self| [s.text, s.rodata, s.ram() - s.framebuffer];
         let (mine, theirs) = (fields(self), fields(other));
-        std::array::from_fn(|i| mine[i] as i64 - theirs[i] as i64)
+        std::array::from_fn(|i| beyond(mine[i], theirs[i]))
     }
+}
+
+fn beyond(mine: u64, theirs: u64) -> i64 {
+    mine.wrapping_sub(theirs).cast_signed()
 }
 
 /// What one feature costs.
@@ -85,25 +90,26 @@ pub struct Feature {
     pub frames: i64,
 }
 
-/// Measures all programs, the empty one first, without their painted stack: that takes another build.
-pub fn features(chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
+/// Measures some programs, without their painted stack: that takes another build.
+pub fn features(programs: &[String], chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
     let folder = firmware::build_with_frames(PACKAGE, chip, opt)?;
     let empty = Sections::of(&folder.join(EMPTY))?;
-    let empty_frames = frames::deepest(&folder.join(EMPTY))? as i64;
-    let measure = |name: String| {
-        let elf = folder.join(&name);
+    let empty_frames = frames::deepest(&folder.join(EMPTY))?;
+    let measure = |name: &String| {
+        let elf = folder.join(name);
         let is_empty = name == EMPTY;
-        let [text, rodata, ram] = Sections::of(&elf)?.beyond(if is_empty { Sections::default() } else { empty });
-        let frames = frames::deepest(&elf)? as i64 - if is_empty { 0 } else { empty_frames };
-        Ok(Feature { name, text, rodata, ram, frames })
+        let (others, others_frames) = if is_empty { (Sections::default(), 0) } else { (empty, empty_frames) };
+        let [text, rodata, ram] = Sections::of(&elf)?.beyond(others);
+        let frames = beyond(frames::deepest(&elf)?, others_frames);
+        Ok(Feature { name: name.clone(), text, rodata, ram, frames })
     };
-    programs()?.into_iter().map(measure).collect()
+    programs.iter().map(measure).collect()
 }
 
-/// Bytes of stack of all programs, painted, in the same order.
-pub fn painted(chip: Chip, opt: Opt) -> Result<Vec<u32>> {
+/// Bytes of stack of some programs, painted.
+pub fn painted(programs: &[String], chip: Chip, opt: Opt) -> Result<Vec<u32>> {
     let folder = firmware::build_all(PACKAGE, &["stack"], chip, opt)?;
-    programs()?.iter().map(|name| stack(chip, &folder.join(name))).collect()
+    programs.iter().map(|name| stack(chip, &folder.join(name))).collect()
 }
 
 /// What the program prints when it is built to print its stack; the empty one prints nothing.
@@ -112,19 +118,20 @@ fn stack(chip: Chip, elf: &Path) -> Result<u32> {
     output.lines().next().map_or(Ok(0), |line| line.parse().with_context(|| format!("{}: {line}", elf.display())))
 }
 
-/// A Markdown table of all programs: the empty one as it is, the others beyond it.
+/// A Markdown table of programs: the empty one as it is, the others beyond it.
 pub fn markdown(features: &[Feature], painted: &[u32]) -> String {
     let mut text = String::from(
         "| program | .text | .rodata | static RAM | stack, painted | stack, summed |\n|---|---:|---:|---:|---:|---:|\n",
     );
     for (Feature { name, text: code, rodata, ram, frames }, stack) in features.iter().zip(painted) {
-        text += &format!("| {name} | {code} | {rodata} | {ram} | {stack} | {frames} |\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "| {name} | {code} | {rodata} | {ram} | {stack} | {frames} |");
     }
     text
 }
 
 /// Names of all programs, the empty one first: each is a file in the package's `bin` folder.
-pub(crate) fn programs() -> Result<Vec<String>> {
+pub fn programs() -> Result<Vec<String>> {
     let folder = firmware::root().join(PACKAGE).join("src/bin");
     let entries = fs::read_dir(&folder).with_context(|| format!("reading {}", folder.display()))?;
     let mut names = Vec::new();

@@ -36,8 +36,19 @@ const RULES: &[Rule] = &[
     Rule { program: "polygon", forbidden: &[LINE, TRIANGLE], reason: "a polygon needs no other shape" },
 ];
 
+/// Checks the firmwares of some chips at some opt-levels.
+pub fn check_all(chips: &[Chip], opts: &[Opt]) -> Result<()> {
+    for &chip in chips {
+        for &opt in opts {
+            check(chip, opt)?;
+            println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
+        }
+    }
+    Ok(())
+}
+
 /// Fails when a firmware has what it must not have.
-pub fn check(chip: Chip, opt: Opt) -> Result<()> {
+fn check(chip: Chip, opt: Opt) -> Result<()> {
     // The same build as that of the budgets.
     let folder = firmware::build_with_frames(size::PACKAGE, chip, opt)?;
     for program in size::programs()? {
@@ -63,7 +74,7 @@ fn software_floats(chip: Chip) -> bool {
 fn names(elf: &Path) -> Result<Vec<String>> {
     let bytes = fs::read(elf).with_context(|| format!("reading {}", elf.display()))?;
     let file = object::File::parse(&*bytes)?;
-    let symbols = file.symbols().filter(|symbol| symbol.is_definition());
+    let symbols = file.symbols().filter(ObjectSymbol::is_definition);
     Ok(symbols.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect())
 }
 

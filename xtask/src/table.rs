@@ -113,7 +113,9 @@ pub fn markdown(rows: &[Row], format: &str, cell: Cell) -> String {
     let rows: Vec<&Row> = rows.iter().filter(|row| row.format == format).collect();
     let engines = distinct(rows.iter().map(|row| row.engine.as_str()));
     let mut text = format!("| {format} | calls | pixels | {} |\n", engines.join(" | "));
-    text += &format!("|---|---:|---:|{}\n", "---:|".repeat(engines.len()));
+    text.push_str("|---|---:|---:|");
+    text.push_str(&"---:|".repeat(engines.len()));
+    text.push('\n');
     for workload in order(&rows) {
         let same: Vec<&Row> = rows.iter().copied().filter(|r| r.workload == workload).collect();
         let cost = |engine: &&str| {
@@ -141,6 +143,16 @@ fn order<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
         next = place.unwrap_or(next) + 1;
     }
     seen
+}
+
+/// Those of some items that are wanted by name, in their own order; all of them when nothing is said. A name that no item has
+/// is an error: a row that is gone must not be missed silently.
+pub fn select<T>(items: Vec<T>, wanted: Option<&[String]>, name: impl Fn(&T) -> &str) -> Result<Vec<T>> {
+    let Some(wanted) = wanted else { return Ok(items) };
+    if let Some(unknown) = wanted.iter().find(|wanted| !items.iter().any(|item| name(item) == *wanted)) {
+        bail!("no row `{unknown}`");
+    }
+    Ok(items.into_iter().filter(|item| wanted.iter().any(|wanted| name(item) == wanted)).collect())
 }
 
 /// The formats of some rows, in the order in which they first appear.
@@ -173,7 +185,7 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
     fn a_line_has_eight_fields() {
         let rows = parse(OUTPUT).expect("well-formed");
         assert_eq!(rows.len(), 4, "without the remark");
-        assert_eq!(rows[3].instructions, 6052.1, "with its tenths");
+        assert_eq!(rows[3].instructions.to_string(), "6052.1", "with its tenths");
         assert_eq!(rows[3].crc32, 0xDA5B_9130, "in hexadecimal");
         assert!(parse("clear;rgb565;a").is_err(), "three fields are no line");
     }
@@ -189,6 +201,17 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
              | rects-8x8 | 2 | 128 | 2.00 | – |\n"
         );
         assert_eq!(formats(&rows), ["rgb565", "gray8"]);
+    }
+
+    #[test]
+    fn only_the_rows_that_are_wanted() {
+        let rows = |wanted: Option<&[&str]>| {
+            let wanted = wanted.map(|names| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>());
+            select(parse(OUTPUT).expect("well-formed"), wanted.as_deref(), |row| &row.workload)
+        };
+        assert_eq!(rows(None).expect("all").len(), 4, "all of them unless told");
+        assert_eq!(rows(Some(&["clear"])).expect("it is there").len(), 3, "of every format and engine");
+        assert_eq!(rows(Some(&["clear", "circle"])).expect_err("it is not").to_string(), "no row `circle`");
     }
 
     #[test]

@@ -89,7 +89,7 @@ fn missing(chip: Chip) -> String {
         "no Rust toolchain can build for {chip}. Install its target:\n    \
          rustup target add {}\n\
          or Debian's compiler with the source of its library:\n    \
-         apt-get install --no-install-recommends rustc-web cargo-web rust-web-src rust-web-llvm",
+         apt-get install --no-install-recommends rustc-web cargo-web rust-web-src rust-web-llvm lld-22",
         chip.target()
     )
 }

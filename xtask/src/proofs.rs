@@ -1,0 +1,104 @@
+//! Builds that prove something.
+
+use std::process::Command;
+
+use anyhow::{anyhow, ensure, Context, Result};
+
+use crate::firmware::project;
+use crate::toolchain::Toolchain;
+use crate::Chip;
+
+/// Builds the crate for a chip, warnings as errors.
+pub fn cross(chip: Chip) -> Result<()> {
+    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    cargo.args(["--quiet", "--release", "--package", "embedded-raster", "--lib"]).current_dir(project());
+    cargo.env("RUSTFLAGS", "--deny warnings").arg("--target-dir").arg(project().join("target/cross"));
+    let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
+    ensure!(status.success(), "the crate does not build for {chip}: cargo ended with {status}");
+    println!("builds for {chip}");
+    Ok(())
+}
+
+/// Links every drawing call with a panic handler that does not exist, in four configurations; and once a call that does
+/// panic, which must not link.
+pub fn probe() -> Result<()> {
+    ensure!(cfg!(target_os = "linux"), "the probe needs a linker that takes `-z defs`: run it on Linux");
+    let host = host()?;
+    ensure!(!link(&host, "3", "true", true)?, "the probe links although it panics: it proves nothing");
+    // Each of them is one unit of code, so two at a time.
+    std::thread::scope(|scope| {
+        let opts = ["3", "s"].map(|opt| {
+            let host = &host;
+            scope.spawn(move || {
+                for checks in ["true", "false"] {
+                    ensure!(
+                        link(host, opt, checks, false)?,
+                        "a panic can be reached at opt-level {opt}, overflow checks {checks}"
+                    );
+                    println!("no panic can be reached at opt-level {opt}, overflow checks {checks}");
+                }
+                Ok(())
+            })
+        });
+        opts.into_iter().try_for_each(|opt| opt.join().map_err(|_| anyhow!("a build ended badly"))?)
+    })
+}
+
+/// Whether it links; any failure but the missing panic handler is an error.
+fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
+    let folder = project().join("firmware/probe");
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    // With a target named, the flags are those of the library alone, not of build scripts as well.
+    cargo.args(["build", "--quiet", "--release", "--target", host]).current_dir(&folder);
+    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
+    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
+    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
+    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
+    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections");
+    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let refused = text.contains("a_panic_can_be_reached");
+    ensure!(output.status.success() || refused, "the probe does not build:\n{text}");
+    Ok(!refused)
+}
+
+/// The same on a chip: all calls as an image that is linked with nothing left out.
+pub fn panics(chip: Chip) -> Result<()> {
+    ensure!(!link_image(chip, "3", "true", true)?, "the probe links although it panics: it proves nothing");
+    for opt in ["3", "s"] {
+        for checks in ["true", "false"] {
+            let linked = link_image(chip, opt, checks, false)?;
+            ensure!(linked, "a panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
+            println!("no panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
+        }
+    }
+    Ok(())
+}
+
+/// Whether it links; any failure but the missing panic handler is an error.
+fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool> {
+    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
+    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
+    // For the crate and what it depends on, not for the core library: a toolchain's own comes without them.
+    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck", "heapless"] {
+        cargo.args(["--config", &format!("profile.release.package.{package}.overflow-checks={checks}")]);
+    }
+    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
+    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
+    // Nobody calls the calls, and they are to be linked all the same. This also replaces the linker scripts of the firmware.
+    cargo.env("RUSTFLAGS", "-C link-arg=--no-gc-sections");
+    let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let refused = text.contains("a_panic_can_be_reached");
+    ensure!(output.status.success() || refused, "the probe does not build:\n{text}");
+    Ok(!refused)
+}
+
+/// The target that the compiler builds for by itself.
+fn host() -> Result<String> {
+    let output = Command::new(std::env::var_os("RUSTC").unwrap_or("rustc".into())).arg("-vV").output()?;
+    let text = String::from_utf8(output.stdout)?;
+    let line = text.lines().find_map(|line| line.strip_prefix("host: "));
+    Ok(line.context("rustc -vV names no host")?.to_owned())
+}
