@@ -9,8 +9,6 @@
     reason = "tests mix widths on purpose"
 )]
 
-mod support;
-
 use embedded_raster::{
     raster::{
         arc::{self, Sector},
@@ -20,13 +18,13 @@ use embedded_raster::{
     Angle, Canvas, PointFx, Rect,
 };
 use fixed::types::I24F8;
-use support::{
+use twins::{
     assert_runs, collect,
     rng::Rng,
     rounds::{from_box, rounded_has, rounded_outline_has, sector_has},
     runs_where,
     scenes::window_near,
-    tiles, twins, Run, TILE_SIZES,
+    tiles, Run, TILE_SIZES,
 };
 
 fn check(area: Rect, inner: Rect, (start, end): (Angle, Angle), window: Rect) {
@@ -120,7 +118,7 @@ fn pies_are_whole() {
         let mut angles: Vec<u32> = (0..rng.range(2, 7)).map(|_| rng.bits() as u32 & 0xfc00_0000).collect();
         angles.sort_unstable();
         angles.dedup();
-        let mut hits = support::hits::Hits::new(window);
+        let mut hits = twins::hits::Hits::new(window);
         for (i, &start) in angles.iter().enumerate() {
             let end = angles[(i + 1) % angles.len()];
             if start == end {
@@ -141,7 +139,7 @@ fn check_rounded(area: Rect, radii: Radii, window: Rect) {
     let border = |x, y| rounded_outline_has(area, radii, x, y);
     let got = collect(window, |emit| rounded::fill(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, filled), || format!("filled {area:?} {radii:?}"));
-    let mut hits = support::hits::Hits::new(window);
+    let mut hits = twins::hits::Hits::new(window);
     hits.fill_rounded(area, radii, embedded_graphics_core::pixelcolor::BinaryColor::On);
     assert_runs(window, &hits.runs(), &runs_where(window, filled), || format!("canvas {area:?} {radii:?}"));
     let got = collect(window, |emit| rounded::outline(area, radii, window, emit));
@@ -218,7 +216,7 @@ fn tiles_of_every_size_show_the_same() {
         for (kind, shape) in shapes.iter().enumerate() {
             let wanted = shape(whole);
             for size in TILE_SIZES {
-                let mut hits = support::hits::Hits::new(whole);
+                let mut hits = twins::hits::Hits::new(whole);
                 for tile in tiles(whole, size) {
                     hits.add(&shape(tile));
                 }
@@ -234,9 +232,9 @@ fn picture() {
     let area = Rect::new(0, 0, 11, 6);
     let radii = Radii { top_left: 3, top_right: 3, bottom_right: 1, bottom_left: 2 };
     let all = "###########\n".repeat(4);
-    let got = support::picture(area, &collect(area, |emit| rounded::fill(area, radii, area, emit)));
+    let got = twins::picture(area, &collect(area, |emit| rounded::fill(area, radii, area, emit)));
     assert_eq!(got, format!(".#########.\n{all}.##########\n"));
     let sides = "#.........#\n".repeat(4);
-    let got = support::picture(area, &collect(area, |emit| rounded::outline(area, radii, area, emit)));
+    let got = twins::picture(area, &collect(area, |emit| rounded::outline(area, radii, area, emit)));
     assert_eq!(got, format!(".#########.\n{sides}.##########\n"));
 }

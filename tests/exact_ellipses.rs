@@ -9,8 +9,6 @@
     reason = "tests mix widths on purpose"
 )]
 
-mod support;
-
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     buffer_bytes,
@@ -18,9 +16,7 @@ use embedded_raster::{
     Canvas, Framebuffer, PointFx, Rect, Surface,
 };
 use fixed::types::I24F8;
-use support::{
-    assert_runs, collect, hits::Hits, rng::Rng, runs_where, scenes::window_near, tiles, twins, Run, TILE_SIZES,
-};
+use twins::{assert_runs, collect, hits::Hits, rng::Rng, runs_where, scenes::window_near, tiles, Run, TILE_SIZES};
 
 fn filled(ellipse: Ellipse, window: Rect) -> Vec<Run> {
     collect(window, |emit| ellipse::fill(ellipse, window, emit))
@@ -310,7 +306,7 @@ fn tiles_of_every_size_show_the_same_ellipse() {
 fn pictures() {
     let draw = |shape: fn(Rect) -> Vec<Run>, width: i32, height: i32| {
         let area = Rect::new(0, 0, width, height);
-        support::picture(area, &shape(area))
+        twins::picture(area, &shape(area))
     };
     let fill = |area| filled(Ellipse::in_box(area), area);
     let outline = |area| outlined(area, area);

@@ -10,8 +10,6 @@
     reason = "tests mix widths on purpose"
 )]
 
-mod support;
-
 use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Rgb555, Rgb565},
@@ -23,7 +21,7 @@ use embedded_raster::{
     surface::{paged_bytes, Paged},
     Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect,
 };
-use support::{letters::Letters, rng::Rng};
+use twins::{letters::Letters, rng::Rng};
 
 const REACHES: [Connectivity; 2] = [Connectivity::Sides, Connectivity::Corners];
 

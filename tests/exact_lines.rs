@@ -1,8 +1,6 @@
 //! Lines against `m(k) = floor((2 k db + da) / (2 da))`, in wide integers: not one pixel differs, wherever the ends are
 //! and however small the window.
 
-mod support;
-
 use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888, RgbColor},
@@ -13,11 +11,11 @@ use embedded_raster::{
     raster::line,
     Canvas, ClippedSpan, Framebuffer, Index1, Index4, PixelFormat, Rect, Steps, Surface,
 };
-use support::{
+use twins::{
     hits::Hits,
     rng::Rng,
     scenes::{ends_of_line, window_on_line, Scale},
-    tiles, twins, Run, TILE_SIZES,
+    tiles, Run, TILE_SIZES,
 };
 
 /// Lines per scale.

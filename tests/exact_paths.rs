@@ -3,21 +3,19 @@
 
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a twin in wide integers and floats")]
 
-mod support;
-
 use std::collections::HashSet;
 
 use embedded_raster::{
     raster::{self, polygon},
     EdgeSlot, FillRule, Path, PointFx, Rect,
 };
-use support::{
+use twins::{
     assert_runs, collect,
     curves::{distance, flattened, outlines, places, random_path, segments, times, true_point, Outline, Piece, END},
     outlines::outline_pixels,
     rng::Rng,
     scenes::{outline, window_on, Scale},
-    twins, Run, Units,
+    Run, Units,
 };
 
 fn units(v: PointFx) -> Units {
@@ -237,9 +235,9 @@ fn small_tables_and_tiles_show_the_same_path() {
         let all = filled(&path, FillRule::NonZero, whole, 400);
         // A row is crossed by each curve a few times.
         assert_eq!(filled(&path, FillRule::NonZero, whole, 60), all, "{path:?}");
-        for size in support::TILE_SIZES {
-            let mut hits = support::hits::Hits::new(whole);
-            for tile in support::tiles(whole, size) {
+        for size in twins::TILE_SIZES {
+            let mut hits = twins::hits::Hits::new(whole);
+            for tile in twins::tiles(whole, size) {
                 hits.add(&filled(&path, FillRule::NonZero, tile, 400));
             }
             assert_runs(whole, &hits.runs(), &all, || format!("{path:?} in tiles of {size:?}"));

@@ -1,20 +1,18 @@
 //! Polygons against a count of crossings per pixel in wide integers: not one pixel differs, by either fill rule, with an
 //! edge table of any capacity, and a table that is too small is refused with the right numbers before anything is drawn.
 
-mod support;
-
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
 use embedded_raster::{
     raster::{polygon, rectangle, triangle},
     Canvas, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect,
 };
-use support::{
+use twins::{
     assert_runs, collect, corners,
     hits::Hits,
     rng::Rng,
     runs_where,
     scenes::{outline, window_on, Scale},
-    tiles, twins, vertices, Run, Units, TILE_SIZES,
+    tiles, vertices, Run, Units, TILE_SIZES,
 };
 
 /// Polygons per scale.

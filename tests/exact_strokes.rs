@@ -1,19 +1,17 @@
 //! Strokes: every pixel against the pieces that the rule makes in integers of 128 bits, and against the plane's own measure:
 //! how far a place is from the line.
 
-mod support;
-
 use std::collections::HashSet;
 
 use embedded_raster::{raster::polygon, Cap, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke};
 use fixed::types::I24F8;
-use support::{
+use twins::{
     assert_runs, collect,
     curves::{distance, outlines, places, random_path, segments, Outline, Piece},
     rng::Rng,
     scenes::{outline, window_on, Scale},
     strokes::{Pattern, Pen},
-    twins, vertices, Run, Units,
+    vertices, Run, Units,
 };
 
 const CAPS: [Cap; 3] = [Cap::Butt, Cap::Square, Cap::Round];
@@ -220,7 +218,7 @@ fn a_width_of_one_pixel_stays_connected() {
         }
         let pen = Pen { width: 256, cap: rng.pick(&CAPS), join: rng.pick(&JOINS[1..]), limit: 1024 };
         let runs = polyline_pixels(&units, false, pen, window);
-        assert!(islands(&runs) <= 1, "{pen:?} {units:?}\n{}", support::picture(window, &runs));
+        assert!(islands(&runs) <= 1, "{pen:?} {units:?}\n{}", twins::picture(window, &runs));
     }
 }
 
@@ -233,9 +231,9 @@ fn tiles_show_the_same_stroke() {
         let path = random_path(&mut rng, Scale::Tiny, 3);
         let pen = random_pen(&mut rng, 3_000);
         let all = path_pixels(&path, pen, whole);
-        for size in support::TILE_SIZES {
-            let mut hits = support::hits::Hits::new(whole);
-            for tile in support::tiles(whole, size) {
+        for size in twins::TILE_SIZES {
+            let mut hits = twins::hits::Hits::new(whole);
+            for tile in twins::tiles(whole, size) {
                 hits.add(&path_pixels(&path, pen, tile));
             }
             assert_runs(whole, &hits.runs(), &all, || format!("{pen:?} {path:?} in tiles of {size:?}"));

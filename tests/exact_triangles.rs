@@ -1,16 +1,14 @@
 //! Triangles against three edge functions per pixel in wide integers: not one pixel differs, from either filler, in any
 //! order of the corners.
 
-mod support;
-
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_raster::{raster::triangle, Canvas, Rect};
-use support::{
+use twins::{
     assert_runs, collect, corners,
     hits::Hits,
     rng::Rng,
     scenes::{outline, window_on, Scale},
-    tiles, twins, Run, Units, TILE_SIZES,
+    tiles, Run, Units, TILE_SIZES,
 };
 
 /// Triangles per scale.

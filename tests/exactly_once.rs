@@ -9,18 +9,11 @@
     reason = "coordinates of small windows, made to fit"
 )]
 
-mod support;
-
 use embedded_raster::{
     raster::{polygon, triangle},
     EdgeSlot, FillRule, Rect,
 };
-use support::{
-    collect, corners,
-    rng::Rng,
-    twins::{crossings, twice_area},
-    vertices, Run, Units,
-};
+use twins::{collect, corners, crossings, rng::Rng, twice_area, vertices, Run, Units};
 
 /// Corners of triangles, each turning the same way, and the outline of them all.
 struct Mesh {
@@ -261,7 +254,7 @@ fn polygons_along_a_common_border() {
                 polygon::fill([&outline[..]], FillRule::EvenOdd, WINDOW, &mut table, emit).expect("enough slots");
             })
         };
-        let mut counts = support::hits::Hits::new(WINDOW);
+        let mut counts = twins::hits::Hits::new(WINDOW);
         counts.add(&painted(&left));
         counts.add(&painted(&right));
         let whole = [(-400, -900), (7_000, -900), (7_000, 6_900), (-400, 6_900)];

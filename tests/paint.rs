@@ -1,10 +1,8 @@
 //! The paint program: its demonstration against pictures in `tests/golden`, scripts that are wrong, steps back and forth, and
 //! what keys and mouse are. `BLESS=1 cargo test --test paint` writes the pictures anew.
 
-#[path = "support/golden.rs"]
+#[path = "golden/compare.rs"]
 mod pictures;
-mod support;
-
 use std::path::Path;
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};

@@ -7,8 +7,6 @@
     reason = "wide numbers that were checked to fit"
 )]
 
-mod support;
-
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
     geom::{
@@ -20,13 +18,13 @@ use embedded_raster::{
     EdgeSlot, FillRule, PointFx, Rect,
 };
 use fixed::types::I16F16;
-use support::{
-    assert_runs, collect,
+use twins::{
+    assert_runs, collect, polygon_contains,
     rng::Rng,
     runs_where,
     scenes::{outline, window_on, Scale},
-    tools::{clip_twin, contains_twin, convex_twin, hull, map_twin, wide},
-    twins, vertices, Units,
+    tools::{clip_twin, convex_twin, hull, map_twin},
+    vertices, wide, Units,
 };
 
 /// Places on a convex curve or nearly: regular enough that many are convex.
@@ -149,7 +147,7 @@ fn places_in_polygons() {
                     2 => (i32::midpoint(p.0, q.0), i32::midpoint(p.1, q.1)),
                     _ => (p.0.saturating_add(rng.int(-1, 1)), p.1.saturating_add(rng.int(-1, 1))),
                 };
-                let wanted = contains_twin(&contours, rule, at);
+                let wanted = polygon_contains(&contours, rule, at);
                 assert_eq!(
                     contains(&places, rule, PointFx::from_bits(at.0, at.1)),
                     wanted,

@@ -8,8 +8,6 @@
     reason = "coordinates and counts of small shapes"
 )]
 
-mod support;
-
 use std::cmp::Ordering;
 
 use embedded_raster::{
@@ -22,7 +20,7 @@ use embedded_raster::{
     EdgeSlot, FillRule, PointFx, Rect, TriangulateError,
 };
 use embedded_raster_simulator::world::{Map, Place, Projection, Screen, World};
-use support::{
+use twins::{
     collect, corners,
     hits::Hits,
     meshes::{
@@ -31,8 +29,7 @@ use support::{
     },
     rng::Rng,
     scenes::{outline, window_on, Scale},
-    twins::twice_area,
-    vertices, Units,
+    twice_area, vertices, Units,
 };
 
 /// Few vertices on a coarse grid: they touch, overlap, repeat and fold in every way there is.

@@ -1,8 +1,8 @@
-//! What the tests share: naive twins of everything clever, random numbers, and surfaces that notice mistakes.
+//! What tests, lab and fuzz targets share: naive twins of everything clever, random numbers and shapes, and surfaces that
+//! notice mistakes.
 //!
 //! A twin follows the rule of the documentation word for word, pixel by pixel, in integers so wide that nothing can
 //! overflow. It shares no arithmetic with the crate: where both agree, both are right, or wrong in the same way twice.
-#![allow(dead_code, reason = "every test binary takes what it needs")]
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -10,42 +10,57 @@
     clippy::cast_precision_loss,
     reason = "tests mix widths on purpose; the wide side is checked where it matters"
 )]
+#![allow(
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    clippy::return_self_not_must_use,
+    reason = "a panic is how a test fails"
+)]
 
-pub(crate) mod curves;
-pub(crate) mod frame;
-pub(crate) mod hits;
-pub(crate) mod letters;
-pub(crate) mod memory;
-pub(crate) mod meshes;
-pub(crate) mod outlines;
-pub(crate) mod rng;
-pub(crate) mod rounds;
-pub(crate) mod scenes;
-pub(crate) mod strokes;
-pub(crate) mod tools;
-pub(crate) mod twins;
+pub mod curves;
+pub mod frame;
+pub mod hits;
+pub mod letters;
+pub mod memory;
+pub mod meshes;
+pub mod outlines;
+pub mod rng;
+pub mod rounds;
+pub mod scenes;
+mod shapes;
+pub mod strokes;
+pub mod tools;
 
 use embedded_raster::{ClippedSpan, PointFx, Rect};
+pub use shapes::*;
 
 /// A place in 24.8 units: what a [`PointFx`] is made of.
-pub(crate) type Units = (i32, i32);
+pub type Units = (i32, i32);
+
+/// A place in numbers so wide that nothing overflows.
+pub type Place = (i128, i128);
 
 /// A span as numbers: row, first pixel, the pixel after the last.
-pub(crate) type Run = (i32, i32, i32);
+pub type Run = (i32, i32, i32);
+
+/// The same place in wide numbers.
+pub fn wide(p: Units) -> Place {
+    (p.0.into(), p.1.into())
+}
 
 /// Vertices of places in 24.8 units.
-pub(crate) fn vertices(units: &[Units]) -> Vec<PointFx> {
+pub fn vertices(units: &[Units]) -> Vec<PointFx> {
     units.iter().map(|&(x, y)| PointFx::from_bits(x, y)).collect()
 }
 
 /// Three vertices.
-pub(crate) fn corners(units: [Units; 3]) -> [PointFx; 3] {
+pub fn corners(units: [Units; 3]) -> [PointFx; 3] {
     units.map(|(x, y)| PointFx::from_bits(x, y))
 }
 
 /// What a filler emits, checked on the way: inside the window, not empty, top row first, left to right, no overlap. Spans
 /// that touch become one, so that two lists are equal exactly when they cover the same pixels.
-pub(crate) fn collect(window: Rect, fill: impl FnOnce(&mut dyn FnMut(ClippedSpan))) -> Vec<Run> {
+pub fn collect(window: Rect, fill: impl FnOnce(&mut dyn FnMut(ClippedSpan))) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     fill(&mut |span| {
         let (y, x0, x1) = (span.y(), span.x0(), span.x1());
@@ -68,7 +83,7 @@ pub(crate) fn collect(window: Rect, fill: impl FnOnce(&mut dyn FnMut(ClippedSpan
 }
 
 /// The pixels of a window for which `inside` holds, as the longest runs, top row first.
-pub(crate) fn runs_where(window: Rect, mut inside: impl FnMut(i32, i32) -> bool) -> Vec<Run> {
+pub fn runs_where(window: Rect, mut inside: impl FnMut(i32, i32) -> bool) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for y in window.y0..window.y1 {
         for x in window.x0..window.x1 {
@@ -84,7 +99,7 @@ pub(crate) fn runs_where(window: Rect, mut inside: impl FnMut(i32, i32) -> bool)
 }
 
 /// A picture of runs, to read in a failure: `#` painted, `.` not.
-pub(crate) fn picture(window: Rect, runs: &[Run]) -> String {
+pub fn picture(window: Rect, runs: &[Run]) -> String {
     let mut text = String::new();
     for y in window.y0..window.y1 {
         for x in window.x0..window.x1 {
@@ -96,7 +111,7 @@ pub(crate) fn picture(window: Rect, runs: &[Run]) -> String {
 }
 
 /// Fails with both pictures when they differ.
-pub(crate) fn assert_runs(window: Rect, got: &[Run], wanted: &[Run], what: impl FnOnce() -> String) {
+pub fn assert_runs(window: Rect, got: &[Run], wanted: &[Run], what: impl FnOnce() -> String) {
     assert!(
         got == wanted,
         "{}\nin {window:?}\ngot\n{}wanted\n{}",
@@ -107,7 +122,7 @@ pub(crate) fn assert_runs(window: Rect, got: &[Run], wanted: &[Run], what: impl 
 }
 
 /// A window in pieces of `width` x `height`, the last ones smaller.
-pub(crate) fn tiles(whole: Rect, (width, height): (i32, i32)) -> Vec<Rect> {
+pub fn tiles(whole: Rect, (width, height): (i32, i32)) -> Vec<Rect> {
     let starts = |from: i32, to: i32, step: i32| (from..to).step_by(step.unsigned_abs() as usize);
     starts(whole.y0, whole.y1, height)
         .flat_map(|y| starts(whole.x0, whole.x1, width).map(move |x| Rect::new(x, y, x + width, y + height)))
@@ -116,4 +131,4 @@ pub(crate) fn tiles(whole: Rect, (width, height): (i32, i32)) -> Vec<Rect> {
 }
 
 /// Sizes of tiles that make trouble: single pixels, columns, rows, odd ones.
-pub(crate) const TILE_SIZES: [(i32, i32); 6] = [(1, 1), (1, 40), (48, 1), (2, 3), (5, 4), (17, 9)];
+pub const TILE_SIZES: [(i32, i32); 6] = [(1, 1), (1, 40), (48, 1), (2, 3), (5, 4), (17, 9)];

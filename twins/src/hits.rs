@@ -6,13 +6,14 @@ use embedded_raster::{ClippedSpan, Rect, Surface};
 use super::{runs_where, Run};
 
 /// Notices overlaps (a count above 1) and spans that leave the window (it panics).
-pub(crate) struct Hits {
+pub struct Hits {
     window: Rect,
     counts: Vec<u32>,
 }
 
 impl Hits {
-    pub(crate) fn new(window: Rect) -> Self {
+    /// Nothing is painted yet.
+    pub fn new(window: Rect) -> Self {
         let size = window.width() as usize * window.height() as usize;
         Self { window, counts: vec![0; size] }
     }
@@ -23,11 +24,13 @@ impl Hits {
         row as usize * self.window.width() as usize + column as usize
     }
 
-    pub(crate) fn count(&self, x: i32, y: i32) -> u32 {
+    /// How often a pixel was painted.
+    pub fn count(&self, x: i32, y: i32) -> u32 {
         self.counts[self.at(x, y)]
     }
 
-    pub(crate) fn add(&mut self, runs: &[Run]) {
+    /// Paints some runs.
+    pub fn add(&mut self, runs: &[Run]) {
         for &(y, x0, x1) in runs {
             for x in x0..x1 {
                 let at = self.at(x, y);
@@ -37,7 +40,7 @@ impl Hits {
     }
 
     /// The painted pixels. Fails if one was painted twice.
-    pub(crate) fn runs(&self) -> Vec<Run> {
+    pub fn runs(&self) -> Vec<Run> {
         runs_where(self.window, |x, y| {
             let count = self.count(x, y);
             assert!(count < 2, "({x}, {y}) is painted {count} times");

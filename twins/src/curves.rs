@@ -6,15 +6,21 @@ use super::{rng::Rng, scenes::outline, scenes::Scale, Units};
 
 /// A segment in plain units.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Piece {
+pub enum Piece {
+    /// Starts a contour.
     Move(Units),
+    /// To a place.
     Line(Units),
+    /// By a control point.
     Quadratic(Units, Units),
+    /// By two control points.
     Cubic(Units, Units, Units),
+    /// Back to the start of the contour.
     Close,
 }
 
-pub(crate) fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
+/// The same path as the crate takes it.
+pub fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
     let v = |p: Units| PointFx::from_bits(p.0, p.1);
     let segment = |piece: &Piece| match *piece {
         Piece::Move(a) => PathSegment::MoveTo(v(a)),
@@ -28,14 +34,17 @@ pub(crate) fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
 
 /// A contour as vertices, each with whether the path is smooth there.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Outline {
-    pub(crate) places: Vec<Units>,
-    pub(crate) smooth: Vec<bool>,
-    pub(crate) closed: bool,
+pub struct Outline {
+    /// The vertices.
+    pub places: Vec<Units>,
+    /// Whether the path is smooth at each.
+    pub smooth: Vec<bool>,
+    /// Whether the last is joined to the first.
+    pub closed: bool,
 }
 
 /// The contours of a path, curves flattened.
-pub(crate) fn outlines(pieces: &[Piece]) -> Vec<Outline> {
+pub fn outlines(pieces: &[Piece]) -> Vec<Outline> {
     let mut all = vec![];
     let mut start = (0, 0);
     let mut open: Option<Outline> = None;
@@ -67,10 +76,10 @@ pub(crate) fn outlines(pieces: &[Piece]) -> Vec<Outline> {
 }
 
 /// The whole time of a curve.
-pub(crate) const END: i128 = 1 << 20;
+pub const END: i128 = 1 << 20;
 
 /// The times, in units of 2^-20, at which the pieces of a curve end.
-pub(crate) fn times(points: &[Units]) -> Vec<i128> {
+pub fn times(points: &[Units]) -> Vec<i128> {
     let mut all = vec![];
     halve(points, 0, END, &mut all);
     all
@@ -138,7 +147,7 @@ fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
 }
 
 /// The vertices of a curve after the first: the point at the end of each piece, rounded to nearest, halves upwards.
-pub(crate) fn flattened(points: &[Units]) -> Vec<Units> {
+pub fn flattened(points: &[Units]) -> Vec<Units> {
     times(points).into_iter().map(|t| point(points, t)).collect()
 }
 
@@ -158,8 +167,12 @@ fn point(points: &[Units], t: i128) -> Units {
 }
 
 /// A point of a curve in `f64`.
-pub(crate) fn true_point(points: &[Units], t: f64) -> (f64, f64) {
-    let mut p: Vec<(f64, f64)> = points.iter().map(|p| (f64::from(p.0), f64::from(p.1))).collect();
+pub fn true_point(points: &[Units], t: f64) -> (f64, f64) {
+    bezier(points.iter().map(|p| (f64::from(p.0), f64::from(p.1))).collect(), t)
+}
+
+/// A point of a curve in any units, by de Casteljau's construction.
+pub fn bezier(mut p: Vec<(f64, f64)>, t: f64) -> (f64, f64) {
     while p.len() > 1 {
         p = p.windows(2).map(|w| (w[0].0 + (w[1].0 - w[0].0) * t, w[0].1 + (w[1].1 - w[0].1) * t)).collect();
     }
@@ -167,7 +180,8 @@ pub(crate) fn true_point(points: &[Units], t: f64) -> (f64, f64) {
 }
 
 /// How far a place is from the line between two others.
-pub(crate) fn distance(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
+#[inline]
+pub fn distance(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
     let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
     let square = dx * dx + dy * dy;
     let t = if square == 0.0 { 0.0 } else { ((px * dx + py * dy) / square).clamp(0.0, 1.0) };
@@ -175,7 +189,7 @@ pub(crate) fn distance(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
 }
 
 /// A path of a few pieces, with a liking for trouble: points that coincide, moves and closes at odd places.
-pub(crate) fn random_path(rng: &mut Rng, scale: Scale, most: usize) -> Vec<Piece> {
+pub fn random_path(rng: &mut Rng, scale: Scale, most: usize) -> Vec<Piece> {
     let n = 1 + rng.index(most);
     let places = outline(rng, scale, 3 * n + 1);
     let mut pieces = if rng.one_in(12) { vec![] } else { vec![Piece::Move(places[0])] };
@@ -196,7 +210,7 @@ pub(crate) fn random_path(rng: &mut Rng, scale: Scale, most: usize) -> Vec<Piece
 }
 
 /// Some place that a path names.
-pub(crate) fn places(pieces: &[Piece]) -> Vec<Units> {
+pub fn places(pieces: &[Piece]) -> Vec<Units> {
     let mut all = vec![];
     for piece in pieces {
         match *piece {

@@ -1,12 +1,6 @@
 //! What is asked of polygons, segments and viewports, by the rules, in wide integers.
 
-use embedded_raster::FillRule;
-
-use super::{twins, Units};
-
-pub(crate) fn wide(p: Units) -> (i128, i128) {
-    (p.0.into(), p.1.into())
-}
+use super::{shapes, wide, Units};
 
 /// The outline without vertices that repeat the one before.
 fn without_repeats(contour: &[Units]) -> Vec<Units> {
@@ -19,7 +13,7 @@ fn without_repeats(contour: &[Units]) -> Vec<Units> {
 }
 
 /// The corners of the convex hull, in order (monotone chain, A. M. Andrew, 1979); no three on a line.
-pub(crate) fn hull(contour: &[Units]) -> Vec<Units> {
+pub fn hull(contour: &[Units]) -> Vec<Units> {
     let mut places = contour.to_vec();
     places.sort_unstable();
     places.dedup();
@@ -29,7 +23,7 @@ pub(crate) fn hull(contour: &[Units]) -> Vec<Units> {
     let half = |places: &mut dyn Iterator<Item = Units>| {
         let mut chain: Vec<Units> = vec![];
         for p in places {
-            while chain.len() > 1 && twins::twice_area(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0 {
+            while chain.len() > 1 && shapes::twice_area(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0 {
                 chain.pop();
             }
             chain.push(p);
@@ -43,7 +37,7 @@ pub(crate) fn hull(contour: &[Units]) -> Vec<Units> {
 }
 
 /// Convex by its hull: all vertices lie on it, and come in its order, once round, in one direction or the other.
-pub(crate) fn convex_twin(contour: &[Units]) -> bool {
+pub fn convex_twin(contour: &[Units]) -> bool {
     let contour = without_repeats(contour);
     let hull = hull(&contour);
     let n = hull.len();
@@ -52,7 +46,7 @@ pub(crate) fn convex_twin(contour: &[Units]) -> bool {
         (0..n).find_map(|i| {
             let (a, b) = (hull[i], hull[(i + 1) % n]);
             let within = |a: i32, b: i32, p: i32| a.min(b) <= p && p <= a.max(b);
-            let on = p != b && twins::twice_area(a, b, p) == 0 && within(a.0, b.0, p.0) && within(a.1, b.1, p.1);
+            let on = p != b && shapes::twice_area(a, b, p) == 0 && within(a.0, b.0, p.0) && within(a.1, b.1, p.1);
             on.then(|| (i, (wide(p).0 - wide(a).0).abs() + (wide(p).1 - wide(a).1).abs()))
         })
     };
@@ -71,30 +65,13 @@ pub(crate) fn convex_twin(contour: &[Units]) -> bool {
     count(|a, b| a >= b) == 1 || count(|a, b| a <= b) == 1
 }
 
-/// Is a place inside? Its crossings by the rule, in wide integers.
-pub(crate) fn contains_twin(contours: &[Vec<Units>], rule: FillRule, at: Units) -> bool {
-    let (mut winding, mut count) = (0, 0);
-    for (a, b) in twins::sides(contours) {
-        let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
-        if upper.1 <= at.1 && at.1 < lower.1 {
-            let ((ux, uy), (lx, ly), (x, y)) = (wide(upper), wide(lower), wide(at));
-            if ux * (ly - uy) + (y - uy) * (lx - ux) <= x * (ly - uy) {
-                (winding, count) = (winding + sign, count + 1);
-            }
-        }
-    }
-    match rule {
-        FillRule::NonZero => winding != 0,
-        FillRule::EvenOdd => count % 2 == 1,
-    }
-}
-
 /// A fraction with a positive denominator.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Ratio(pub(crate) i128, pub(crate) i128);
+pub struct Ratio(pub i128, pub i128);
 
 impl Ratio {
-    pub(crate) fn new(n: i128, d: i128) -> Self {
+    /// Of any sign.
+    pub fn new(n: i128, d: i128) -> Self {
         Self(n * d.signum(), d.abs())
     }
 
@@ -104,14 +81,15 @@ impl Ratio {
         low * self.1 <= at && at <= high * self.1
     }
 
-    pub(crate) fn nearest(self, a: i128, b: i128) -> i32 {
+    /// `a + (b - a) t`, rounded to nearest, halves upwards.
+    pub fn nearest(self, a: i128, b: i128) -> i32 {
         let twice = 2 * (a * self.1 + (b - a) * self.0) + self.1;
         i32::try_from(twice.div_euclid(2 * self.1)).expect("between the ends")
     }
 }
 
 /// The first and the last place of a segment that lie in a rectangle, out of its ends and its crossings with four lines.
-pub(crate) fn clip_twin([a, b]: [Units; 2], [p, q]: [Units; 2]) -> Option<[Ratio; 2]> {
+pub fn clip_twin([a, b]: [Units; 2], [p, q]: [Units; 2]) -> Option<[Ratio; 2]> {
     let ((ax, ay), (bx, by)) = (wide(a), wide(b));
     let ((px, py), (qx, qy)) = (wide(p), wide(q));
     let mut all = vec![Ratio(0, 1), Ratio(1, 1)];
@@ -127,7 +105,7 @@ pub(crate) fn clip_twin([a, b]: [Units; 2], [p, q]: [Units; 2]) -> Option<[Ratio
 }
 
 /// The rule of the documentation, in wide integers.
-pub(crate) fn map_twin(v: i32, from: (i32, i32), to: (i32, i32)) -> i32 {
+pub fn map_twin(v: i32, from: (i32, i32), to: (i32, i32)) -> i32 {
     let ((v, v0, v1), (p0, p1)) = ((i128::from(v), i128::from(from.0), i128::from(from.1)), wide(to));
     if v0 == v1 {
         return to.0;

@@ -9,35 +9,42 @@ use embedded_raster::{
 
 /// A picture of letters: what is not asked for stays, what was painted is `#`.
 #[derive(Clone, PartialEq)]
-pub(crate) struct Letters {
-    pub(crate) width: i32,
-    pub(crate) height: i32,
-    pub(crate) pixels: Vec<u8>,
+pub struct Letters {
+    /// Pixels in a row.
+    pub width: i32,
+    /// Rows.
+    pub height: i32,
+    /// Row by row.
+    pub pixels: Vec<u8>,
 }
 
 impl Letters {
-    pub(crate) fn new(width: i32, height: i32, open: impl FnMut(i32) -> bool) -> Self {
+    /// Of each pixel by its number, row by row: is it open?
+    pub fn new(width: i32, height: i32, open: impl FnMut(i32) -> bool) -> Self {
         let pixels = (0..width * height).map(open).map(|open| if open { b'.' } else { b'#' }).collect();
         Self { width, height, pixels }
     }
 
-    pub(crate) fn parse(rows: &[&str]) -> Self {
+    /// Rows of letters.
+    pub fn parse(rows: &[&str]) -> Self {
         let pixels = rows.concat().into_bytes();
         Self { width: rows[0].len() as i32, height: rows.len() as i32, pixels }
     }
 
-    pub(crate) fn at(&self, x: i32, y: i32) -> Option<u8> {
+    /// `None` outside.
+    pub fn at(&self, x: i32, y: i32) -> Option<u8> {
         let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
         inside.then(|| self.pixels[(y * self.width + x) as usize])
     }
 
-    pub(crate) fn text(&self) -> String {
+    /// To read in a failure.
+    pub fn text(&self) -> String {
         let rows = self.pixels.chunks(self.width as usize);
         rows.map(|row| String::from_utf8_lossy(row).into_owned() + "\n").collect()
     }
 
     /// The twin: a breadth-first search for the pixels of the seed's letter.
-    pub(crate) fn flooded(&self, seed: (i32, i32), reach: Connectivity) -> Self {
+    pub fn flooded(&self, seed: (i32, i32), reach: Connectivity) -> Self {
         let mut result = self.clone();
         let mut queue = VecDeque::from([seed]);
         while let Some((x, y)) = queue.pop_front() {

@@ -6,7 +6,7 @@ use super::{rng::Rng, Units};
 
 /// How far the vertices of a shape lie apart.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Scale {
+pub enum Scale {
     /// A few pixels.
     Tiny,
     /// A screen.
@@ -18,7 +18,8 @@ pub(crate) enum Scale {
 }
 
 impl Scale {
-    pub(crate) const ALL: [Self; 4] = [Self::Tiny, Self::Screen, Self::Hundred, Self::Ends];
+    /// From small to large.
+    pub const ALL: [Self; 4] = [Self::Tiny, Self::Screen, Self::Hundred, Self::Ends];
 
     /// How far from its anchor a shape goes, in pixels.
     const fn pixels(self) -> i64 {
@@ -69,7 +70,7 @@ fn snapped(n: i64, grid: u64) -> i64 {
 }
 
 /// The vertices of a random shape, in 24.8 units.
-pub(crate) fn outline(rng: &mut Rng, scale: Scale, n: usize) -> Vec<Units> {
+pub fn outline(rng: &mut Rng, scale: Scale, n: usize) -> Vec<Units> {
     let anchor = (anchor(rng, 8_388_000) * 256, anchor(rng, 8_388_000) * 256);
     let reach = scale.pixels() * 256;
     // Narrow shapes are likelier to fail than round ones.
@@ -119,7 +120,7 @@ fn between(rng: &mut Rng, a: Units, b: Units) -> (i64, i64) {
 }
 
 /// A window near a pixel: from 1 x 1 to 48 x 40, the small ones more often.
-pub(crate) fn window_near(rng: &mut Rng, x: i64, y: i64) -> Rect {
+pub fn window_near(rng: &mut Rng, x: i64, y: i64) -> Rect {
     let (width, height) = match rng.below(16) {
         0 => (1, 1),
         1 => (1, rng.range(1, 40)),
@@ -136,7 +137,7 @@ pub(crate) fn window_near(rng: &mut Rng, x: i64, y: i64) -> Rect {
 }
 
 /// A window where a shape is likely to be seen: over one of its sides, a vertex, or between its vertices.
-pub(crate) fn window_on(rng: &mut Rng, outline: &[Units]) -> Rect {
+pub fn window_on(rng: &mut Rng, outline: &[Units]) -> Rect {
     let (a, b, c) = (rng.pick(outline), rng.pick(outline), rng.pick(outline));
     let i = rng.index(outline.len());
     let place = match rng.below(10) {
@@ -148,7 +149,7 @@ pub(crate) fn window_on(rng: &mut Rng, outline: &[Units]) -> Rect {
 }
 
 /// The ends of a random line, in pixels.
-pub(crate) fn ends_of_line(rng: &mut Rng, scale: Scale) -> [(i32, i32); 2] {
+pub fn ends_of_line(rng: &mut Rng, scale: Scale) -> [(i32, i32); 2] {
     if scale == Scale::Ends {
         return [(extreme(rng), extreme(rng)), (extreme(rng), extreme(rng))];
     }
@@ -161,7 +162,7 @@ pub(crate) fn ends_of_line(rng: &mut Rng, scale: Scale) -> [(i32, i32); 2] {
 }
 
 /// A window on a line or beside it.
-pub(crate) fn window_on_line(rng: &mut Rng, [a, b]: [(i32, i32); 2]) -> Rect {
+pub fn window_on_line(rng: &mut Rng, [a, b]: [(i32, i32); 2]) -> Rect {
     let (x, y) = match rng.below(8) {
         0 => (a.0.into(), a.1.into()),
         1 => (b.0.into(), b.1.into()),

@@ -6,11 +6,15 @@ use super::{curves::Outline, Units};
 
 /// A stroke in plain numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Pen {
-    pub(crate) width: i32,
-    pub(crate) cap: Cap,
-    pub(crate) join: Join,
-    pub(crate) limit: i32,
+pub struct Pen {
+    /// In 24.8 units.
+    pub width: i32,
+    /// At open ends.
+    pub cap: Cap,
+    /// At corners.
+    pub join: Join,
+    /// Of mitres, in 24.8.
+    pub limit: i32,
 }
 
 /// Units of 2^-30.
@@ -34,14 +38,15 @@ fn scaled(a: Units, b: Units) -> (i128, i128, i128) {
     (x, y, (x * x + y * y).isqrt())
 }
 
-pub(crate) fn direction(a: Units, b: Units) -> Unit {
+/// The direction of a side, its components rounded away from zero.
+pub fn direction(a: Units, b: Units) -> Unit {
     let (x, y, length) = scaled(a, b);
     let share = |n: i128| n.signum() * div_up(n.abs() * ONE, length);
     (share(x), share(y))
 }
 
 /// The length of a side in 2^-16 pixel.
-pub(crate) fn length(a: Units, b: Units) -> i128 {
+pub fn length(a: Units, b: Units) -> i128 {
     let (x, y, length) = scaled(a, b);
     let d = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
     // By how much it was scaled: exact, but where a bit was lost.
@@ -120,7 +125,8 @@ impl Pen {
         Self::at(v, &offsets)
     }
 
-    pub(crate) fn cap(&self, v: Units, u: Unit) -> Option<Vec<Units>> {
+    /// The cap of an end in a direction.
+    pub fn cap(&self, v: Units, u: Unit) -> Option<Vec<Units>> {
         let (r, l) = (right(u), back(right(u)));
         match self.cap {
             Cap::Butt => None,
@@ -133,7 +139,8 @@ impl Pen {
         }
     }
 
-    pub(crate) fn join(&self, v: Units, last: Unit, next: Unit, smooth: bool) -> Option<Vec<Units>> {
+    /// What fills the gap between two sides, if there is one.
+    pub fn join(&self, v: Units, last: Unit, next: Unit, smooth: bool) -> Option<Vec<Units>> {
         let turn = cross(last, next);
         if turn == 0 && dot(last, next) > 0 {
             return None;
@@ -146,13 +153,14 @@ impl Pen {
         })
     }
 
-    pub(crate) fn side(&self, a: Units, b: Units, u: Unit) -> Vec<Units> {
+    /// A side, as wide as the pen.
+    pub fn side(&self, a: Units, b: Units, u: Unit) -> Vec<Units> {
         let (r, l) = (self.half(right(u)), self.half(back(right(u))));
         [Self::at(a, &[r]), Self::at(b, &[r, l]), Self::at(a, &[l])].concat()
     }
 
     /// The pieces of contours.
-    pub(crate) fn parts(&self, outlines: &[Outline]) -> Vec<Vec<Units>> {
+    pub fn parts(&self, outlines: &[Outline]) -> Vec<Vec<Units>> {
         outlines.iter().flat_map(|outline| self.contour(outline)).collect()
     }
 
@@ -179,16 +187,20 @@ impl Pen {
     }
 }
 
-pub(crate) struct Side {
-    pub(crate) a: Units,
-    pub(crate) b: Units,
-    pub(crate) u: Unit,
+/// A side of a contour that has a length.
+pub struct Side {
+    /// Where it starts.
+    pub a: Units,
+    /// Where it ends.
+    pub b: Units,
+    /// Its direction.
+    pub u: Unit,
     /// At `a`.
-    pub(crate) smooth: bool,
+    pub smooth: bool,
 }
 
 /// The sides of a contour that have a length. At a place given several times the path is smooth if it is each time.
-pub(crate) fn sides(outline: &Outline) -> Vec<Side> {
+pub fn sides(outline: &Outline) -> Vec<Side> {
     let mut nodes: Vec<(Units, bool)> = vec![];
     for (&place, &smooth) in outline.places.iter().zip(&outline.smooth) {
         match nodes.last_mut() {
@@ -204,14 +216,16 @@ pub(crate) fn sides(outline: &Outline) -> Vec<Side> {
 
 /// Lengths on and off, and how far into them a contour starts.
 #[derive(Clone, Debug)]
-pub(crate) struct Pattern {
-    pub(crate) lengths: Vec<i32>,
-    pub(crate) phase: i32,
+pub struct Pattern {
+    /// In 24.8 units, the first one on.
+    pub lengths: Vec<i32>,
+    /// In 24.8 units.
+    pub phase: i32,
 }
 
 impl Pen {
     /// The pieces of dashed contours, dash by dash.
-    pub(crate) fn dashes(&self, outlines: &[Outline], pattern: &Pattern) -> Vec<Vec<Units>> {
+    pub fn dashes(&self, outlines: &[Outline], pattern: &Pattern) -> Vec<Vec<Units>> {
         let mut lengths: Vec<i128> = pattern.lengths.iter().map(|&n| i128::from(n.max(0)) << 8).collect();
         if lengths.len() % 2 == 1 {
             lengths.extend(lengths.clone());

@@ -3,32 +3,41 @@
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{FillRule, Rect};
 
-use super::{runs_where, Run, Units};
+use super::{runs_where, wide, Place, Run, Units};
 
-/// The centre of a pixel in 24.8 units.
-fn centre(pixel: i32) -> i128 {
-    i128::from(pixel) * 256 + 128
+/// 24.8 units to a pixel.
+const ONE: i128 = 256;
+
+/// The centre of a pixel in units, `per_pixel` to a pixel.
+pub fn centre(pixel: i32, per_pixel: i128) -> i128 {
+    i128::from(pixel) * per_pixel + per_pixel / 2
 }
 
 /// Twice the signed area of a triangle, positive when it turns clockwise on the screen (y points down).
-pub(crate) fn twice_area(a: Units, b: Units, c: Units) -> i128 {
-    edge_function(a, b, (c.0.into(), c.1.into()))
+pub fn twice_area(a: Units, b: Units, c: Units) -> i128 {
+    edge_function(wide(a), wide(b), wide(c))
 }
 
 /// Positive on the inner side of the side from a to b of a triangle with positive area.
-fn edge_function(a: Units, b: Units, p: (i128, i128)) -> i128 {
-    let (ax, ay, bx, by) = (i128::from(a.0), i128::from(a.1), i128::from(b.0), i128::from(b.1));
-    (bx - ax) * (p.1 - ay) - (by - ay) * (p.0 - ax)
+fn edge_function(a: Place, b: Place, p: Place) -> i128 {
+    (b.0 - a.0) * (p.1 - a.1) - (b.1 - a.1) * (p.0 - a.0)
 }
 
-/// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)?
-pub(crate) fn triangle_has([a, b, c]: [Units; 3], x: i32, y: i32) -> bool {
-    let (b, c) = match twice_area(a, b, c) {
+/// Is the centre of a pixel inside a triangle?
+pub fn triangle_has(corners: [Units; 3], x: i32, y: i32) -> bool {
+    wide_triangle_has(corners.map(wide), ONE, x, y)
+}
+
+/// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)? In units, `per_pixel` to a
+/// pixel.
+pub fn wide_triangle_has([a, b, c]: [Place; 3], per_pixel: i128, x: i32, y: i32) -> bool {
+    let (b, c) = match edge_function(a, b, c) {
         0 => return false,
         area if area < 0 => (c, b),
         _ => (b, c),
     };
-    let inside = |from: Units, to: Units| match edge_function(from, to, (centre(x), centre(y))) {
+    let at = (centre(x, per_pixel), centre(y, per_pixel));
+    let inside = |from: Place, to: Place| match edge_function(from, to, at) {
         // The edge function moves by dx e^2 - dy e; e decides unless its factor is zero.
         0 => to.1 < from.1 || (to.1 == from.1 && to.0 > from.0),
         e => e > 0,
@@ -37,33 +46,41 @@ pub(crate) fn triangle_has([a, b, c]: [Units; 3], x: i32, y: i32) -> bool {
 }
 
 /// The pixels of a triangle, pixel by pixel.
-pub(crate) fn triangle(corners: [Units; 3], window: Rect) -> Vec<Run> {
+pub fn triangle(corners: [Units; 3], window: Rect) -> Vec<Run> {
     runs_where(window, |x, y| triangle_has(corners, x, y))
 }
 
-/// The sides of closed contours, the last vertex joined to the first.
-pub(crate) fn sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Units, Units)> + '_ {
-    contours.iter().flat_map(|c| (0..c.len()).map(move |i| (c[i], c[(i + 1) % c.len()])))
+/// The sides of a closed contour, the last vertex joined to the first.
+pub fn sides_of<T: Copy>(contour: &[T]) -> impl Iterator<Item = (T, T)> + '_ {
+    (0..contour.len()).map(|i| (contour[i], contour[(i + 1) % contour.len()]))
 }
 
-/// Does a side cross row y: `y0 <= cy < y1`?
-pub(crate) fn crosses_row(a: Units, b: Units, y: i32) -> bool {
-    let cy = centre(y);
-    i128::from(a.1.min(b.1)) <= cy && cy < i128::from(a.1.max(b.1))
+/// The sides of closed contours.
+pub fn sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Units, Units)> + '_ {
+    contours.iter().flat_map(|c| sides_of(c))
 }
 
-/// The winding number and the number of sides at or left of the centre of a pixel.
-pub(crate) fn crossings(contours: &[Vec<Units>], x: i32, y: i32) -> (i32, u32) {
+/// The sides of closed contours, in wide numbers.
+fn wide_sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Place, Place)> + '_ {
+    sides(contours).map(|(a, b)| (wide(a), wide(b)))
+}
+
+/// Does a side cross a row: `y0 <= y < y1`?
+pub fn crosses((a, b): (Place, Place), y: i128) -> bool {
+    a.1.min(b.1) <= y && y < a.1.max(b.1)
+}
+
+/// The winding number and the number of sides at or left of a place.
+pub fn crossings_at(sides: impl Iterator<Item = (Place, Place)>, (x, y): Place) -> (i32, u32) {
     let (mut winding, mut count) = (0, 0);
-    for (a, b) in sides(contours) {
-        if !crosses_row(a, b, y) {
+    for (a, b) in sides {
+        if !crosses((a, b), y) {
             continue;
         }
         let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
-        // The crossing ux + (cy - uy) dx / dy is at or left of cx.
-        let (dx, dy) = (i128::from(lower.0) - i128::from(upper.0), i128::from(lower.1) - i128::from(upper.1));
-        let (ux, uy) = (i128::from(upper.0), i128::from(upper.1));
-        if (centre(y) - uy) * dx <= (centre(x) - ux) * dy {
+        // The crossing ux + (y - uy) dx / dy is at or left of x.
+        let ((ux, uy), (dx, dy)) = (upper, (lower.0 - upper.0, lower.1 - upper.1));
+        if (y - uy) * dx <= (x - ux) * dy {
             winding += sign;
             count += 1;
         }
@@ -71,33 +88,47 @@ pub(crate) fn crossings(contours: &[Vec<Units>], x: i32, y: i32) -> (i32, u32) {
     (winding, count)
 }
 
-/// Is the centre of a pixel inside a polygon?
-pub(crate) fn polygon_has(contours: &[Vec<Units>], rule: FillRule, x: i32, y: i32) -> bool {
-    let (winding, count) = crossings(contours, x, y);
+/// The winding number and the number of sides at or left of the centre of a pixel.
+pub fn crossings(contours: &[Vec<Units>], x: i32, y: i32) -> (i32, u32) {
+    crossings_at(wide_sides(contours), (centre(x, ONE), centre(y, ONE)))
+}
+
+/// Is a place inside that has these crossings at or left of it?
+pub fn is_inside(rule: FillRule, (winding, count): (i32, u32)) -> bool {
     match rule {
         FillRule::NonZero => winding != 0,
         FillRule::EvenOdd => count % 2 == 1,
     }
 }
 
+/// Is the centre of a pixel inside a polygon?
+pub fn polygon_has(contours: &[Vec<Units>], rule: FillRule, x: i32, y: i32) -> bool {
+    is_inside(rule, crossings(contours, x, y))
+}
+
+/// Is a place inside a polygon?
+pub fn polygon_contains(contours: &[Vec<Units>], rule: FillRule, at: Units) -> bool {
+    is_inside(rule, crossings_at(wide_sides(contours), wide(at)))
+}
+
 /// The pixels of a polygon, pixel by pixel.
-pub(crate) fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run> {
+pub fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run> {
     runs_where(window, |x, y| polygon_has(contours, rule, x, y))
 }
 
 /// How many sides cross a row.
-pub(crate) fn sides_on_row(contours: &[Vec<Units>], y: i32) -> usize {
-    sides(contours).filter(|&(a, b)| crosses_row(a, b, y)).count()
+pub fn sides_on_row(contours: &[Vec<Units>], y: i32) -> usize {
+    wide_sides(contours).filter(|&side| crosses(side, centre(y, ONE))).count()
 }
 
 /// The pixels of a sub-pixel rectangle: left and top sides in, right and bottom sides out.
-pub(crate) fn rectangle(a: Units, b: Units, window: Rect) -> Vec<Run> {
+pub fn rectangle(a: Units, b: Units, window: Rect) -> Vec<Run> {
     let within = |c: i128, u: i32, v: i32| i128::from(u.min(v)) <= c && c < i128::from(u.max(v));
-    runs_where(window, |x, y| within(centre(x), a.0, b.0) && within(centre(y), a.1, b.1))
+    runs_where(window, |x, y| within(centre(x, ONE), a.0, b.0) && within(centre(y, ONE), a.1, b.1))
 }
 
 /// Does the outline of a box of pixels have a pixel? Of those in the box, the ones beside a pixel that is not.
-pub(crate) fn rectangle_outline_has(area: Rect, x: i32, y: i32) -> bool {
+pub fn rectangle_outline_has(area: Rect, x: i32, y: i32) -> bool {
     let (x, y) = (i64::from(x), i64::from(y));
     let inside = |x: i64, y: i64| {
         i64::from(area.x0) <= x && x < i64::from(area.x1) && i64::from(area.y0) <= y && y < i64::from(area.y1)
@@ -109,7 +140,7 @@ pub(crate) fn rectangle_outline_has(area: Rect, x: i32, y: i32) -> bool {
 /// `m(k) = floor((2 k db + da) / (2 da))` along the other.
 ///
 /// It walks the window's columns (or rows), not the line's, so that lines may be as long as they like.
-pub(crate) fn line(a: (i32, i32), b: (i32, i32), window: Rect) -> Vec<(i32, i32)> {
+pub fn line(a: (i32, i32), b: (i32, i32), window: Rect) -> Vec<(i32, i32)> {
     let (dx, dy) = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
     if dy.abs() > dx.abs() {
         // Steep: the same with the axes exchanged.
@@ -135,7 +166,7 @@ pub(crate) fn line(a: (i32, i32), b: (i32, i32), window: Rect) -> Vec<(i32, i32)
 
 /// Bresenham's loop itself, unclipped: the pixels and the decision before each step. `p` starts at `2 db - da`; at
 /// `p >= 0` the minor axis steps.
-pub(crate) fn bresenham(a: (i32, i32), b: (i32, i32)) -> (Vec<(i32, i32)>, Vec<i64>) {
+pub fn bresenham(a: (i32, i32), b: (i32, i32)) -> (Vec<(i32, i32)>, Vec<i64>) {
     let (dx, dy) = (i64::from(b.0) - i64::from(a.0), i64::from(b.1) - i64::from(a.1));
     let (sx, sy) = (dx.signum() as i32, dy.signum() as i32);
     let (da, db) = (dx.abs().max(dy.abs()), dx.abs().min(dy.abs()));
@@ -154,7 +185,7 @@ pub(crate) fn bresenham(a: (i32, i32), b: (i32, i32)) -> (Vec<(i32, i32)>, Vec<i
 
 /// A line by a digital differential analyser in 16.16: one rounded slope, added again and again. A reference for the
 /// report on speed against error, *not* exact: the slope is off by up to half a unit and the error grows along the line.
-pub(crate) fn dda(a: Point, b: Point) -> Vec<Point> {
+pub fn dda(a: Point, b: Point) -> Vec<Point> {
     let (dx, dy) = (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y));
     let n = dx.abs().max(dy.abs());
     let slope = |d: i64| if n == 0 { 0 } else { ((d << 17) + n).div_euclid(2 * n) };
@@ -168,7 +199,7 @@ pub(crate) fn dda(a: Point, b: Point) -> Vec<Point> {
 }
 
 /// A line by the textbook's first method: slope times distance, rounded, in `f32`. A reference for the same report.
-pub(crate) fn slope_and_round(a: Point, b: Point) -> Vec<Point> {
+pub fn slope_and_round(a: Point, b: Point) -> Vec<Point> {
     let (dx, dy) = (b.x.wrapping_sub(a.x), b.y.wrapping_sub(a.y));
     let n = dx.abs().max(dy.abs());
     let at = |k: i32, from: i32, d: i32| {
@@ -180,7 +211,7 @@ pub(crate) fn slope_and_round(a: Point, b: Point) -> Vec<Point> {
 
 /// Is the centre of a pixel inside the ellipse that touches the sides of a box, or on its curve? In half pixels
 /// `h^2 u^2 <= w^2 (h^2 - v^2)`: both sides are below 2^128 for any box.
-pub(crate) fn box_ellipse_has(area: Rect, x: i32, y: i32) -> bool {
+pub fn box_ellipse_has(area: Rect, x: i32, y: i32) -> bool {
     let from_middle =
         |at: i32, from: i32, to: i32| (2 * i64::from(at) + 1 - i64::from(from) - i64::from(to)).unsigned_abs();
     let (u, v) = (from_middle(x, area.x0, area.x1), from_middle(y, area.y0, area.y1));
@@ -197,7 +228,7 @@ fn within((u, v): (u64, u64), (a, b): (u64, u64)) -> std::cmp::Ordering {
 }
 
 /// Is the centre of a pixel inside an ellipse given in units, `per_pixel` to a pixel? On the curve: on its left half only.
-pub(crate) fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64, x: i32, y: i32) -> bool {
+pub fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64, x: i32, y: i32) -> bool {
     let u = i64::from(x) * per_pixel + per_pixel / 2 - centre.0;
     let v = i64::from(y) * per_pixel + per_pixel / 2 - centre.1;
     if radii.0 <= 0 || radii.1 <= 0 {
@@ -212,7 +243,7 @@ pub(crate) fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64,
 
 /// Does the outline of the ellipse in a box have a pixel? Of the column through the pixel, is it nearest to where the curve
 /// crosses, or of the row? Of two equally near pixels the outer one is.
-pub(crate) fn outline_has(area: Rect, x: i32, y: i32) -> bool {
+pub fn outline_has(area: Rect, x: i32, y: i32) -> bool {
     if !area.contains(x, y) {
         return false;
     }
@@ -228,7 +259,7 @@ pub(crate) fn outline_has(area: Rect, x: i32, y: i32) -> bool {
 }
 
 /// The outline and what lies between its pixels on each row.
-pub(crate) fn enclosed_has(area: Rect, x: i32, y: i32) -> bool {
+pub fn enclosed_has(area: Rect, x: i32, y: i32) -> bool {
     let (a, b) = (u64::from(area.width()).wrapping_sub(1), u64::from(area.height()).wrapping_sub(1));
     let from_middle =
         |at: i32, from: i32, to: i32| (2 * i64::from(at) + 1 - i64::from(from) - i64::from(to)).unsigned_abs();

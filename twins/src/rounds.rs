@@ -2,7 +2,7 @@
 
 use embedded_raster::{Angle, Radii, Rect};
 
-use super::twins;
+use super::shapes;
 
 /// Is a place less than half a turn after a direction? The centre stands a little to its right, much less below.
 fn after((x, y): (i32, i32), (u, v): (i64, i64)) -> bool {
@@ -17,7 +17,7 @@ fn after((x, y): (i32, i32), (u, v): (i64, i64)) -> bool {
 }
 
 /// Does a place, seen from the middle, lie in a sector?
-pub(crate) fn sector_has(start: Angle, end: Angle, place: (i64, i64)) -> bool {
+pub fn sector_has(start: Angle, end: Angle, place: (i64, i64)) -> bool {
     let turn = end.to_bits().wrapping_sub(start.to_bits());
     let (first, second) = (after(start.cos_sin(), place), after(end.cos_sin(), place));
     match turn {
@@ -28,7 +28,7 @@ pub(crate) fn sector_has(start: Angle, end: Angle, place: (i64, i64)) -> bool {
 }
 
 /// A pixel seen from the middle of a box, in half pixels.
-pub(crate) fn from_box(area: Rect, x: i32, y: i32) -> (i64, i64) {
+pub fn from_box(area: Rect, x: i32, y: i32) -> (i64, i64) {
     let part = |at: i32, from: i32, to: i32| 2 * i64::from(at) + 1 - i64::from(from) - i64::from(to);
     (part(x, area.x0, area.x1), part(y, area.y0, area.y1))
 }
@@ -56,17 +56,17 @@ fn corner_of(area: Rect, radii: Radii, x: i32, y: i32) -> Option<Rect> {
 }
 
 /// Is the centre of a pixel inside a rectangle with rounded corners?
-pub(crate) fn rounded_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
+pub fn rounded_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
     match corner_of(area, radii, x, y) {
-        Some(corner) => twins::box_ellipse_has(corner, x, y),
+        Some(corner) => shapes::box_ellipse_has(corner, x, y),
         None => area.contains(x, y),
     }
 }
 
 /// Does its outline have a pixel?
-pub(crate) fn rounded_outline_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
+pub fn rounded_outline_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
     match corner_of(area, radii, x, y) {
-        Some(corner) => twins::outline_has(corner, x, y),
+        Some(corner) => shapes::outline_has(corner, x, y),
         None => area.contains(x, y) && (x == area.x0 || y == area.y0 || x == area.x1 - 1 || y == area.y1 - 1),
     }
 }

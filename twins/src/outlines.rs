@@ -61,7 +61,7 @@ fn line_pixels(a: Units, b: Units) -> Vec<(i32, i32)> {
 }
 
 /// All pixels of an outline, contour by contour.
-pub(crate) fn outline_pixels(path: &[Piece]) -> Vec<Vec<(i32, i32)>> {
+pub fn outline_pixels(path: &[Piece]) -> Vec<Vec<(i32, i32)>> {
     let pixels = |contour: Outline| {
         let mut places = contour.places;
         if contour.closed {

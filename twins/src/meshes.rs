@@ -14,14 +14,15 @@ use embedded_raster::{
 use super::{
     assert_runs, collect, corners,
     hits::Hits,
-    tools::wide,
-    twins::{self, twice_area},
-    vertices, Units,
+    shapes::{self, twice_area},
+    vertices, wide, Units,
 };
 
-pub(crate) type Contours = [Vec<Units>];
+/// A polygon.
+pub type Contours = [Vec<Units>];
 
-pub(crate) fn flat(contours: &Contours) -> (Vec<Units>, Vec<u16>) {
+/// The vertices of all contours, and where each contour but the first starts.
+pub fn flat(contours: &Contours) -> (Vec<Units>, Vec<u16>) {
     let units = contours.concat();
     let mut starts = vec![];
     let mut end = 0;
@@ -42,8 +43,9 @@ fn cross((a, b): (Units, Units), (c, d): (Units, Units)) -> bool {
     det != 0 && inside(t) && inside(u)
 }
 
-pub(crate) fn first_crossing(contours: &Contours) -> Option<(usize, usize)> {
-    let sides: Vec<_> = twins::sides(contours).collect();
+/// The first two sides that cross.
+pub fn first_crossing(contours: &Contours) -> Option<(usize, usize)> {
+    let sides: Vec<_> = shapes::sides(contours).collect();
     (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| cross(sides[i], sides[j])).map(|j| (i, j)))
 }
 
@@ -53,14 +55,15 @@ fn lies_between((a, b): (Units, Units), p: Units) -> bool {
 }
 
 /// The nodes that the documentation says are enough.
-pub(crate) fn nodes(contours: &Contours) -> usize {
+pub fn nodes(contours: &Contours) -> usize {
     let places: BTreeSet<Units> = contours.concat().into_iter().collect();
     let touches: usize =
-        twins::sides(contours).map(|side| places.iter().filter(|&&p| lies_between(side, p)).count()).sum();
+        shapes::sides(contours).map(|side| places.iter().filter(|&&p| lies_between(side, p)).count()).sum();
     contours.concat().len() + 2 * contours.len().saturating_sub(1) + touches
 }
 
-pub(crate) fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16; 3]>), TriangulateError> {
+/// By the crate, with as many nodes as the documentation says: the vertices, and triangles of their numbers.
+pub fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16; 3]>), TriangulateError> {
     let (units, starts) = flat(contours);
     let places = vertices(&units);
     let needed = nodes(contours);
@@ -71,16 +74,13 @@ pub(crate) fn triangulated(contours: &Contours) -> Result<(Vec<Units>, Vec<[u16;
     Ok((units, triangles))
 }
 
-pub(crate) fn placed(units: &[Units], triangle: [u16; 3]) -> [Units; 3] {
+/// The corners of a triangle of numbers.
+pub fn placed(units: &[Units], triangle: [u16; 3]) -> [Units; 3] {
     triangle.map(|i| units[usize::from(i)])
 }
 
 /// Triangles turn clockwise and have each side once: those that share one go along it in opposite directions.
-pub(crate) fn check_mesh(
-    units: &[Units],
-    triangles: &[[u16; 3]],
-    what: &dyn Fn() -> String,
-) -> BTreeMap<(u16, u16), u16> {
+pub fn check_mesh(units: &[Units], triangles: &[[u16; 3]], what: &dyn Fn() -> String) -> BTreeMap<(u16, u16), u16> {
     let mut sides = BTreeMap::new();
     for &[a, b, c] in triangles {
         let [pa, pb, pc] = placed(units, [a, b, c]);
@@ -106,12 +106,12 @@ fn check_pixels(contours: &Contours, units: &[Units], triangles: &[[u16; 3]], wi
     for &triangle in triangles {
         hits.add(&collect(window, |emit| triangle::fill(corners(placed(units, triangle)), window, emit)));
     }
-    let wanted = twins::polygon(contours, FillRule::EvenOdd, window);
+    let wanted = shapes::polygon(contours, FillRule::EvenOdd, window);
     assert_runs(window, &hits.runs(), &wanted, || format!("{contours:?} as {triangles:?}"));
 }
 
 /// Every side between two triangles: the far corner of one is not in the circle of the other, unless the side cannot flip.
-pub(crate) fn check_delaunay(units: &[Units], triangles: &[[u16; 3]], what: &dyn Fn() -> String) {
+pub fn check_delaunay(units: &[Units], triangles: &[[u16; 3]], what: &dyn Fn() -> String) {
     let sides = check_mesh(units, triangles, what);
     for (&(a, b), &c) in &sides {
         if let Some(&d) = sides.get(&(b, a)) {
@@ -122,7 +122,7 @@ pub(crate) fn check_delaunay(units: &[Units], triangles: &[[u16; 3]], what: &dyn
 }
 
 /// Everything at once; says whether there was a triangulation.
-pub(crate) fn check(contours: &Contours, window: Rect) -> bool {
+pub fn check(contours: &Contours, window: Rect) -> bool {
     let what = || format!("{contours:?}");
     let result = triangulated(contours);
     if let Some((first, second)) = first_crossing(contours) {
@@ -143,10 +143,11 @@ pub(crate) fn check(contours: &Contours, window: Rect) -> bool {
 
 /// 256-bit two's complement, high half first.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Wide(i128, u128);
+pub struct Wide(i128, u128);
 
 impl Wide {
-    pub(crate) const ZERO: Self = Self(0, 0);
+    /// Nothing.
+    pub const ZERO: Self = Self(0, 0);
 
     fn product(a: i128, b: i128) -> Self {
         let halves = |n: u128| (n >> 64, n & u128::from(u64::MAX));
@@ -172,7 +173,7 @@ impl Wide {
 }
 
 /// The determinant of the rule, in 256 bits, expanded along another column than the crate does.
-pub(crate) fn determinant(a: Units, b: Units, c: Units, d: Units) -> Wide {
+pub fn determinant(a: Units, b: Units, c: Units, d: Units) -> Wide {
     let rows = [a, b, c].map(|p| {
         let (x, y) = (wide(p).0 - wide(d).0, wide(p).1 - wide(d).1);
         (x, y, x * x + y * y)

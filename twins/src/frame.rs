@@ -23,24 +23,31 @@ use super::{
     rng::Rng,
     runs_where,
     scenes::{ends_of_line, outline, Scale},
-    twins, vertices, Units,
+    shapes, vertices, Units,
 };
 
 /// A shape to draw on any surface.
 #[derive(Debug)]
-pub(crate) enum Shape {
+pub enum Shape {
+    /// From pixel to pixel.
     Line((i32, i32), (i32, i32)),
+    /// Filled.
     Triangle([Units; 3]),
+    /// One contour, even-odd.
     Polygon(Vec<Units>),
+    /// Filled, from the first place to the second.
     Rectangle([Units; 3]),
+    /// A filled ellipse in a box.
     Disc(Rect),
+    /// The outline of an ellipse in a box.
     Circle(Rect),
+    /// The outline of a box.
     Outline(Rect),
 }
 
 impl Shape {
     /// For a window of about 45 x 33 pixels, most of them seen.
-    pub(crate) fn random(rng: &mut Rng) -> Self {
+    pub fn random(rng: &mut Rng) -> Self {
         let scale = rng.pick(&Scale::ALL);
         let place = |rng: &mut Rng| (rng.int(-2_000, 14_000), rng.int(-1_500, 10_000));
         match rng.below(11) {
@@ -84,7 +91,8 @@ impl Shape {
         }
     }
 
-    pub(crate) fn draw<S: Surface>(&self, surface: &mut S, color: S::Color) {
+    /// By the crate.
+    pub fn draw<S: Surface>(&self, surface: &mut S, color: S::Color) {
         match self {
             Self::Line(a, b) => surface.draw_line(Point::new(a.0, a.1), Point::new(b.0, b.1), color),
             Self::Triangle(units) => surface.fill_triangle(corners(*units), color),
@@ -103,22 +111,23 @@ impl Shape {
     }
 
     /// Its pixels, by the naive twins.
-    pub(crate) fn pixels(&self, window: Rect) -> Vec<(i32, i32)> {
+    pub fn pixels(&self, window: Rect) -> Vec<(i32, i32)> {
         let runs = match self {
-            Self::Line(a, b) => return twins::line(*a, *b, window),
-            Self::Triangle(units) => twins::triangle(*units, window),
-            Self::Polygon(units) => twins::polygon(std::slice::from_ref(units), FillRule::EvenOdd, window),
-            Self::Rectangle([a, b, _]) => twins::rectangle(*a, *b, window),
-            Self::Disc(area) => runs_where(window, |x, y| twins::box_ellipse_has(*area, x, y)),
-            Self::Circle(area) => runs_where(window, |x, y| twins::outline_has(*area, x, y)),
-            Self::Outline(area) => runs_where(window, |x, y| twins::rectangle_outline_has(*area, x, y)),
+            Self::Line(a, b) => return shapes::line(*a, *b, window),
+            Self::Triangle(units) => shapes::triangle(*units, window),
+            Self::Polygon(units) => shapes::polygon(std::slice::from_ref(units), FillRule::EvenOdd, window),
+            Self::Rectangle([a, b, _]) => shapes::rectangle(*a, *b, window),
+            Self::Disc(area) => runs_where(window, |x, y| shapes::box_ellipse_has(*area, x, y)),
+            Self::Circle(area) => runs_where(window, |x, y| shapes::outline_has(*area, x, y)),
+            Self::Outline(area) => runs_where(window, |x, y| shapes::rectangle_outline_has(*area, x, y)),
         };
         runs.into_iter().flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y))).collect()
     }
 }
 
 /// A pixel format of the crate.
-pub(crate) trait Kind {
+#[allow(missing_docs, reason = "each is called as what it stands for")]
+pub trait Kind {
     fn format(&self) -> Format;
     fn bytes(&self, width: u16, height: u16) -> (usize, usize);
     /// The surface that `twin` is the twin of, in other bytes.
@@ -138,7 +147,8 @@ pub(crate) trait Kind {
 }
 
 /// What a framebuffer does.
-pub(crate) trait Frame {
+#[allow(missing_docs, reason = "each is called as what it stands for")]
+pub trait Frame {
     fn window(&self) -> Rect;
     fn size(&self) -> Size;
     fn stride(&self) -> usize;
@@ -171,7 +181,7 @@ pub(crate) trait Frame {
 }
 
 /// The [`Kind`] of a format.
-pub(crate) struct Of<F>(pub(crate) PhantomData<F>);
+pub struct Of<F>(pub PhantomData<F>);
 
 fn boxed<'a, F: PixelFormat>(frame: Framebuffer<'a, F>) -> Box<dyn Frame + 'a> {
     Box::new(frame)
