@@ -5,6 +5,7 @@
 
 #[path = "golden/compare.rs"]
 mod pictures;
+
 use std::convert::Infallible;
 
 use embedded_graphics::{

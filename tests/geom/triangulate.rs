@@ -321,7 +321,7 @@ fn predicates_are_exact_up_to_the_ends_of_the_type() {
 }
 
 fn map() -> Map {
-    Map::parse(include_bytes!("../assets/world-110m.txt")).expect("the map is well-formed")
+    Map::parse(include_bytes!("../../assets/world-110m.txt")).expect("the map is well-formed")
 }
 
 /// The countries, as they come: a pixel is 0.64 degrees.

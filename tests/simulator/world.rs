@@ -13,7 +13,7 @@ const SIZES: [(u16, u16); 6] = [(16, 9), (160, 120), (320, 240), (480, 800), (72
 const ALL_EDGES: usize = 11_000;
 
 fn map() -> Map {
-    Map::parse(include_bytes!("../assets/world-110m.txt")).expect("the map is well-formed")
+    Map::parse(include_bytes!("../../assets/world-110m.txt")).expect("the map is well-formed")
 }
 
 fn screens() -> impl Iterator<Item = Screen> {

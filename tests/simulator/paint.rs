@@ -1,8 +1,9 @@
 //! The paint program: its demonstration against pictures in `tests/golden`, scripts that are wrong, steps back and forth, and
-//! what keys and mouse are. `BLESS=1 cargo test --test paint` writes the pictures anew.
+//! what keys and mouse are. `BLESS=1 cargo test --test simulator` writes the pictures anew.
 
-#[path = "golden/compare.rs"]
+#[path = "../golden/compare.rs"]
 mod pictures;
+
 use std::path::Path;
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -13,7 +14,7 @@ use embedded_raster_simulator::{
 };
 use pictures::compare;
 
-const DEMO: &str = include_str!("../assets/paint-demo.txt");
+const DEMO: &str = include_str!("../../assets/paint-demo.txt");
 
 fn paint(bits: u8) -> Paint {
     Paint::new((320, 240), bits)

@@ -1,0 +1,4 @@
+//! Shapes as numbers, against their rules in wide integers.
+
+mod tools;
+mod triangulate;
