@@ -1,6 +1,6 @@
 //! The laws that every pixel format and every surface keeps, each against a twin that writes single bits.
 //!
-//! A new format is one more line in [`formats`].
+//! A new format is one more line in [`formats`], a new layout one in [`layouts`].
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -12,9 +12,7 @@
 use std::marker::PhantomData;
 
 use embedded_graphics_core::{
-    draw_target::DrawTarget,
     geometry::{Point, Size},
-    image::GetPixel,
     pixelcolor::{
         Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
     },
@@ -22,12 +20,12 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
-    surface::{paged_bytes, Counter, Paged},
-    BufferError, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
+    surface::{paged_bytes, Counter, Paged, Pages, Planes, Rows},
+    BufferError, Frame, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
 use twins::{
     frame::{Kind, Of, Shape},
-    memory::{color, pixels, Format, Naive},
+    memory::{color, pixels, Arrangement, Format, Naive},
     rng::Rng,
 };
 
@@ -36,9 +34,28 @@ macro_rules! formats {
     ($($name:ident: $format:ty,)*) => {$(
         #[test]
         fn $name() {
-            every_law(&Of::<$format>(PhantomData));
+            every_law(&Of::<Rows<$format>, $format>::rows());
+            rows_read_out_are_their_pixels::<$format>();
         }
     )*};
+}
+
+/// Every law for every layout that is not rows of a format.
+macro_rules! layouts {
+    ($($name:ident: $layout:ty, $format:ty, $arrangement:ident, $bits:literal;)*) => {$(
+        #[test]
+        fn $name() {
+            let format = Format::of::<$format>().arranged(Arrangement::$arrangement, $bits);
+            every_law(&Of::<$layout, $format>(PhantomData, format));
+        }
+    )*};
+}
+
+layouts! {
+    pages: Pages<Index1>, Index1, Pages, 1;
+    pages_lsb0: Pages<Lsb0<BinaryColor>>, Lsb0<BinaryColor>, Pages, 1;
+    planes: Planes<Index2>, Index2, Planes, 2;
+    planes_lsb0: Planes<Lsb0<Gray2>>, Lsb0<Gray2>, Planes, 2;
 }
 
 formats! {
@@ -85,7 +102,9 @@ fn every_law(kind: &dyn Kind) {
     views_and_clips_are_windows(kind);
     bands_are_the_whole(kind);
     shapes_are_their_pixels(kind);
-    rows_read_out_are_their_pixels(kind);
+    spans_of_colours_are_their_pixels(kind);
+    floods_are_their_pixels(kind);
+    pictures_in_rows_are_their_pixels(kind);
     blits_are_their_pixels(kind);
     every_phase_of_a_blit(kind);
     masks_are_their_pixels(kind);
@@ -286,9 +305,12 @@ fn bands_are_the_whole(kind: &dyn Kind) {
         for (shape, color) in &shapes {
             frame.draw(shape, *color);
         }
+        let all = frame.colors(frame.window());
+        let is_one_piece = kind.format().arrangement != Arrangement::Planes;
         drop(frame);
-        for rows in [1, 2, 3, 7, 8, 25, 26] {
-            let mut pieces = vec![];
+        let page = kind.format().page();
+        for rows in [1, 2, 3, 7, 8, 16, 25, 26].into_iter().filter(|rows| page == 1 || rows % page == 0) {
+            let (mut pieces, mut colors) = (vec![], vec![]);
             for start in (0..height).step_by(usize::from(rows)) {
                 let end = height.min(start + rows);
                 let mut memory = vec![0; kind.bytes(width, end - start).1];
@@ -298,35 +320,135 @@ fn bands_are_the_whole(kind: &dyn Kind) {
                 for (shape, color) in &shapes {
                     band.draw(shape, *color);
                 }
+                colors.extend(band.colors(band.window()));
                 drop(band);
                 pieces.extend(memory);
             }
-            assert!(pieces == whole, "{}: bands of {rows} rows of {shapes:?}", kind.format().name);
+            assert!(colors == all, "{}: colours of bands of {rows} rows of {shapes:?}", kind.format().name);
+            assert!(!is_one_piece || pieces == whole, "{}: bands of {rows} rows of {shapes:?}", kind.format().name);
         }
     }
 }
 
-fn rows_read_out_are_their_pixels(kind: &dyn Kind) {
+/// Spans of colours, with and without holes; reading, editing and finding.
+fn spans_of_colours_are_their_pixels(kind: &dyn Kind) {
+    let mut rng = Rng::new(67);
+    for _ in 0..400 {
+        let mut twin = twin(&mut rng, kind, (45, 9));
+        let mut real = twin.bytes.clone();
+        let (x0, y) = (rng.int(-3, 44), rng.int(-1, 9));
+        let span = Span { y, x0, x1: x0 + rng.int(0, 30) };
+        let window = if rng.one_in(3) { random_area(&mut rng) } else { twin.window() };
+        let seen = Rect::new(span.x0, y, span.x1, y.saturating_add(1)).intersection(window).intersection(twin.window());
+        let before: Vec<u32> = pixels(seen).filter_map(|(x, y)| twin.get(x, y)).collect();
+        let mut whole = kind.open(&twin, &mut real);
+        let mut frame = whole.clipped(window);
+        let what = || format!("{span:?} in {window:?}");
+        assert_eq!(frame.read_span(span), before, "{}", what());
+        let wanted = if rng.one_in(3) { kind.format().random(&mut rng) } else { before.first().copied().unwrap_or(0) };
+        let first = before.iter().position(|&c| c == wanted).unwrap_or(before.len());
+        let start = before.iter().rposition(|&c| c != wanted).map_or(0, |i| i + 1);
+        let found = (!before.is_empty()).then(|| (seen.x0 + first as i32, seen.x0 + start as i32));
+        assert_eq!(frame.find(span, wanted), found, "{wanted} in {}", what());
+        if rng.one_in(2) {
+            let some = |rng: &mut Rng| (!rng.one_in(3)).then(|| kind.format().random(rng));
+            let all = rng.one_in(2);
+            let colors: Vec<Option<u32>> =
+                (0..30).map(|_| some(&mut rng).or_else(|| all.then(|| kind.format().random(&mut rng)))).collect();
+            frame.write_some(span, &colors);
+            for (x, y) in pixels(seen) {
+                if let Some(color) = colors[(x - span.x0) as usize] {
+                    twin.set(x, y, color);
+                }
+            }
+        } else {
+            let edit = |x: i32, old: u32| kind.format().color(old ^ (x as u32).wrapping_mul(0x9e37_79b9));
+            frame.edit_span(span, &edit);
+            for (x, y) in pixels(seen) {
+                let old = twin.get(x, y).expect("inside");
+                twin.set(x, y, edit(x, old));
+            }
+        }
+        drop(frame);
+        drop(whole);
+        twin.assert_same(&real, &|| what());
+    }
+}
+
+/// Flood fills against the spread of a colour, one neighbour at a time.
+fn floods_are_their_pixels(kind: &dyn Kind) {
+    let mut rng = Rng::new(68);
+    for _ in 0..60 {
+        let mut twin = twin(&mut rng, kind, (24, 12));
+        let mut real = twin.bytes.clone();
+        let [ground, wall, new] = [(); 3].map(|()| kind.format().random(&mut rng));
+        for (x, y) in pixels(twin.window()) {
+            twin.set(x, y, if rng.one_in(3) { wall } else { ground });
+        }
+        real.copy_from_slice(&twin.bytes);
+        let window = Rect::new(rng.int(-2, 5), rng.int(-2, 4), rng.int(12, 30), rng.int(6, 14));
+        let seed = (rng.int(-1, 24), rng.int(-1, 12));
+        let boundary = rng.one_in(2).then_some(wall);
+        let seen = window.intersection(twin.window());
+        let old = seen.contains(seed.0, seed.1).then(|| twin.get(seed.0, seed.1)).flatten();
+        let is_open = |c: u32| match boundary {
+            Some(boundary) => c != boundary && c != new,
+            None => Some(c) == old && c != new,
+        };
+        let mut open = vec![seed];
+        while let Some((x, y)) = open.pop() {
+            if seen.contains(x, y) && twin.get(x, y).is_some_and(is_open) {
+                twin.set(x, y, new);
+                open.extend([(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)]);
+            }
+        }
+        let slots = rng.index(6);
+        kind.open(&twin, &mut real).clipped(window).flood(Point::new(seed.0, seed.1), boundary, slots, new);
+        twin.assert_same(&real, &|| format!("{seed:?} in {window:?}, {boundary:?}, {slots} slots"));
+    }
+}
+
+/// Pictures whose memory is arranged in another way than the frame's.
+fn pictures_in_rows_are_their_pixels(kind: &dyn Kind) {
+    let mut rng = Rng::new(69);
+    for _ in 0..200 {
+        let mut twin = twin(&mut rng, kind, (40, 7));
+        let source =
+            Naive::random(&mut rng, kind.format().arranged(Arrangement::Rows, kind.format().rows), (30, 6), 3, 1);
+        let mut real = twin.bytes.clone();
+        let (part, clip) = (random_area(&mut rng), random_area(&mut rng));
+        let (part, clip) = if rng.one_in(2) { (source.window(), twin.window()) } else { (part, clip) };
+        let at = Point::new(rng.int(-20, 40), rng.int(-5, 7));
+        let key = key_of(&mut rng, &source);
+        kind.open(&twin, &mut real).clipped(clip).blit_rows(at, &source, part, key);
+        twin.blit(clip, at, &source, part, key);
+        twin.assert_same(&real, &|| format!("{part:?} at {at} in {clip:?}, key {key:?}"));
+    }
+}
+
+/// The colours of any area, and of rows of a format the bytes.
+fn rows_read_out_are_their_pixels<F: PixelFormat>() {
     let mut rng = Rng::new(57);
+    let kind = &Of::<Rows<F>, F>::rows();
     for _ in 0..200 {
         let size = (rng.int(0, 30) as u16, rng.int(0, 8) as u16);
         let twin = twin(&mut rng, kind, size);
         let mut real = twin.bytes.clone();
         let memory = &twin.bytes[twin.place.clone()];
-        let frame = kind.open(&twin, &mut real);
+        let frame = twin.frame::<Rows<F>>(&mut real);
         let area = random_area(&mut rng);
         let seen = area.intersection(twin.window());
 
         let wanted: Vec<u32> = pixels(seen).filter_map(|(x, y)| twin.get(x, y)).collect();
-        assert_eq!(frame.colors(area), wanted, "colors of {area:?}");
+        assert_eq!(frame.colors(area).map(F::pack).collect::<Vec<_>>(), wanted, "colors of {area:?}");
 
         // From the byte of the first pixel to that of the last.
         let byte = |x: i32| x as usize * kind.format().bits;
         let rows = if seen.is_empty() { 0..0 } else { seen.y0 as usize..seen.y1 as usize };
         let row = |y: usize| y * twin.stride + byte(seen.x0) / 8..y * twin.stride + byte(seen.x1).div_ceil(8);
         let wanted: Vec<&[u8]> = rows.map(|y| &memory[row(y)]).collect();
-        assert_eq!(frame.bytes(area), wanted, "bytes of {area:?}");
-        assert_eq!(kind.bitmap_bytes(&twin, area), wanted, "bytes of a bitmap, {area:?}");
+        assert_eq!(frame.bytes(area).collect::<Vec<_>>(), wanted, "bytes of {area:?}");
+        assert_eq!(twin.bitmap::<Rows<F>>().bytes(area).collect::<Vec<_>>(), wanted, "bytes of a bitmap, {area:?}");
 
         let (first, end) = (rng.int(0, 9) as u16, rng.int(0, 9) as u16);
         let at = |row: u16| (usize::from(row) * twin.stride).min(memory.len());
@@ -334,7 +456,8 @@ fn rows_read_out_are_their_pixels(kind: &dyn Kind) {
         assert_eq!(frame.row_bytes(first..end), rows, "rows {first}..{end} of {}", size.1);
 
         let p = Point::new(rng.int(-2, 31), rng.int(-2, 9));
-        assert_eq!(frame.as_bitmap(p), (twin.get(p.x, p.y), frame.window(), frame.size()), "as a bitmap, {p}");
+        let bitmap = kind.open(&twin, &mut twin.bytes.clone()).as_bitmap(p);
+        assert_eq!(bitmap, (twin.get(p.x, p.y), frame.window(), frame.size()), "as a bitmap, {p}");
     }
 }
 
@@ -527,30 +650,34 @@ fn constructors_check(kind: &dyn Kind) {
             Ok(())
         }
     };
+    let page = kind.format().page();
     for _ in 0..500 {
         let side = |rng: &mut Rng| rng.pick(&[0, 1, 2, 7, 8, 9, 33, 255, 65_535]);
         let (width, height): (u16, u16) = (side(&mut rng), side(&mut rng));
-        let row = (usize::from(width) * kind.format().bits).div_ceil(8);
-        assert_eq!(kind.bytes(width, height), (row, row * usize::from(height)), "bytes of {width} x {height}");
+        let row = kind.format().row_bytes(width.into());
+        let bytes = |rows: u16, stride: usize| kind.format().bytes(width.into(), rows.into(), stride);
+        assert_eq!(kind.bytes(width, height), (row, bytes(height, row)), "bytes of {width} x {height}");
         let given = rng.index(600);
         let mut memory = vec![0xa5; given];
 
         let stride = (row + rng.index(5)).saturating_sub(rng.index(5));
-        let needed = if height == 0 { 0 } else { stride * (usize::from(height) - 1) + row };
+        let needed = bytes(height, stride);
         let narrow = Err(BufferError::StrideTooSmall { needed: row, given: stride });
         let wanted = if stride < row { narrow } else { enough(needed, given) };
         assert_eq!(kind.strided(&mut memory, width, height, stride), wanted, "{width} x {height}, stride {stride}");
         assert_eq!(kind.strided_bitmap(&memory, width, height, stride), wanted, "and a bitmap");
 
-        let wanted = enough(row * usize::from(height), given);
+        let wanted = enough(bytes(height, row), given);
         assert_eq!(kind.packed(&mut memory, width, height).map(|_| ()), wanted, "{width} x {height}");
         assert_eq!(kind.packed_bitmap(&memory, width, height), wanted, "and a bitmap");
 
         let (start, end) = (side(&mut rng), side(&mut rng));
         let wanted = if start > end || end > height {
             Err(BufferError::BandOutsideScreen { start, end, height })
+        } else if !(start.is_multiple_of(page) && (end == height || end.is_multiple_of(page))) {
+            Err(BufferError::BandSplitsPage { start, end, page })
         } else {
-            enough(row * usize::from(end - start), given)
+            enough(bytes(end - start, row), given)
         };
         let band = kind.band(&mut memory, (width, height), start..end).map(|_| ());
         assert_eq!(band, wanted, "band {start}..{end} of {width} x {height}");
@@ -611,91 +738,24 @@ fn bits_per_pixel() {
     assert_eq!([Xrgb8888::BITS, <Be<Xrgb8888>>::BITS], [32; 2]);
 }
 
-/// The twin of paged memory: a byte holds eight rows, the top one in bit 0.
-struct NaivePages {
-    bytes: Vec<u8>,
-    width: u16,
-    height: u16,
-}
-
-impl NaivePages {
-    fn random(rng: &mut Rng) -> Self {
-        let (width, height) = (rng.int(0, 20) as u16, rng.int(0, 30) as u16);
-        let bytes = (0..paged_bytes(width, height) + 5).map(|_| rng.bits() as u8).collect();
-        Self { bytes, width, height }
-    }
-
-    fn window(&self) -> Rect {
-        Rect::new(0, 0, self.width.into(), self.height.into())
-    }
-
-    fn byte(&self, x: i32, y: i32) -> usize {
-        y as usize / 8 * usize::from(self.width) + x as usize
-    }
-
-    fn get(&self, x: i32, y: i32) -> Option<bool> {
-        self.window().contains(x, y).then(|| self.bytes[self.byte(x, y)] >> (y % 8) & 1 == 1)
-    }
-
-    fn set(&mut self, x: i32, y: i32, on: bool) {
-        if self.window().contains(x, y) {
-            let at = self.byte(x, y);
-            self.bytes[at] = self.bytes[at] & !(1 << (y % 8)) | u8::from(on) << (y % 8);
-        }
-    }
-}
-
+/// What displays are sent of pages and of planes.
 #[test]
-fn paged_memory_is_its_pixels() {
+fn pages_and_planes_read_out_are_their_bytes() {
     let mut rng = Rng::new(62);
-    let all = |area: Rect| pixels(area).collect::<Vec<_>>();
-    for _ in 0..6_000 {
-        let mut twin = NaivePages::random(&mut rng);
-        let mut real = twin.bytes.clone();
-        let (area, clip, on) = (random_area(&mut rng), random_area(&mut rng), rng.one_in(2));
-        let shape = Shape::random(&mut rng);
-        let p = Point::new(rng.int(-3, 22), rng.int(-3, 33));
-        let mut oled = Paged::<BinaryColor>::new(&mut real, twin.width, twin.height).expect("the right size");
-        assert_eq!(oled.size(), Size::new(twin.width.into(), twin.height.into()));
-        let color = BinaryColor::from(on);
-        let painted: Vec<(i32, i32)> = match rng.below(5) {
-            0 => {
-                oled.clear(color);
-                all(twin.window())
-            }
-            1 => {
-                oled.clipped(clip).fill_area(area, color);
-                all(twin.window().intersection(clip).intersection(area))
-            }
-            2 => {
-                oled.set(p, color);
-                vec![(p.x, p.y)]
-            }
-            3 => {
-                shape.draw(&mut oled.clipped(clip), color);
-                shape.pixels(twin.window().intersection(clip))
-            }
-            _ => {
-                let solid = Rectangle::new(p, Size::new(rng.below(20) as u32, rng.below(20) as u32));
-                let colors = core::iter::repeat_n(color, 400);
-                oled.fill_contiguous(&solid, colors).expect("infallible");
-                all(Rect::from(solid).intersection(twin.window()))
-            }
-        };
-        for (x, y) in painted {
-            twin.set(x, y, on);
-        }
-        let q = Point::new(rng.int(-3, 22), rng.int(-3, 33));
-        let oled = Paged::<Index1>::new(&mut real, twin.width, twin.height).expect("the right size");
-        assert_eq!(oled.get(q), twin.get(q.x, q.y).map(|on| Index1::new(on.into())), "at {q}");
-        assert_eq!(oled.pixel(q), oled.get(q));
+    for _ in 0..1_000 {
+        let (width, height) = (rng.int(0, 20) as u16, rng.int(0, 30) as u16);
+        let mut bytes: Vec<u8> = (0..paged_bytes(width, height) + 5).map(|_| rng.bits() as u8).collect();
+        let all = bytes.clone();
+        let oled = Paged::<Index1>::new(&mut bytes, width, height).expect("the right size");
         let (first, end) = (rng.below(6) as u16, rng.below(6) as u16);
-        let inside = first <= end && end <= twin.height.div_ceil(8);
-        let width = usize::from(twin.width);
-        let pages = if inside { &twin.bytes[usize::from(first) * width..usize::from(end) * width] } else { &[] };
-        assert_eq!(oled.page_bytes(first..end), pages, "pages {first}..{end} of {} rows", twin.height);
-        assert_eq!(real, twin.bytes, "{} x {} {shape:?} {area:?} {clip:?}", twin.width, twin.height);
+        let inside = first <= end && end <= height.div_ceil(8);
+        let width = usize::from(width);
+        let pages = if inside { &all[usize::from(first) * width..usize::from(end) * width] } else { &[] };
+        assert_eq!(oled.page_bytes(first..end), pages, "pages {first}..{end} of {height} rows");
     }
+    let memory: Vec<u8> = (0..12).collect();
+    let paper = Frame::<_, Planes<Index2>>::new(&memory[..], 9, 3).expect("the right size");
+    assert_eq!([0, 1, 2].map(|i| paper.plane_bytes(i)), [&memory[..6], &memory[6..], &[]]);
 }
 
 #[test]

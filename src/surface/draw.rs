@@ -71,7 +71,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<L::Color>) {
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();

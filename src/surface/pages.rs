@@ -102,7 +102,10 @@ impl<F: PixelFormat> Layout for Pages<F> {
 
     #[inline]
     fn fill_span(memory: &mut [u8], grid: Grid, y: usize, columns: (usize, usize), color: F::Color) {
-        fill(memory, grid, y, columns, (mask::<F>(y, y), full::<F>(color)));
+        let (mask, full) = (mask::<F>(y, y), full::<F>(color));
+        for place in memory.get_mut(byte(grid, columns.0, y)..byte(grid, columns.1, y)).unwrap_or_default() {
+            *place = merge(*place, full, mask);
+        }
     }
 
     /// Eight rows at a time.

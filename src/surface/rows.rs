@@ -55,6 +55,21 @@ fn start(grid: Grid, y: usize) -> usize {
     y.wrapping_mul(grid.stride)
 }
 
+/// In a function of its own, with registers of its own.
+#[inline(never)]
+fn copy_keyed<F: PixelFormat>(
+    (to, to_stride, (to_x, mut to_row)): (&mut [u8], usize, (usize, usize)),
+    (from, from_stride, (from_x, mut from_row)): (&[u8], usize, (usize, usize)),
+    (width, height): (usize, usize),
+    key: u32,
+) {
+    for _ in 0..height {
+        rows::copy_keyed::<F>(to, (to_row, to_x), from, (from_row, from_x), width, key);
+        to_row = to_row.wrapping_add(to_stride);
+        from_row = from_row.wrapping_add(from_stride);
+    }
+}
+
 impl<F: PixelFormat> Layout for Rows<F> {
     type Color = F::Color;
 
@@ -169,11 +184,12 @@ impl<F: PixelFormat> Layout for Rows<F> {
             let (to, from) = ((to, to_grid.stride), (from, from_grid.stride));
             return rows::copy_rows::<F>(to, (to_row, to_x), from, (from_row, from_x), (width, height));
         };
-        for down in 0..height {
-            let to_row = to_row.wrapping_add(start(to_grid, down));
-            let from_row = from_row.wrapping_add(start(from_grid, down));
-            rows::copy_keyed::<F>(to, (to_row, to_x), from, (from_row, from_x), width, key);
-        }
+        copy_keyed::<F>(
+            (to, to_grid.stride, (to_x, to_row)),
+            (from, from_grid.stride, (from_x, from_row)),
+            (width, height),
+            key,
+        );
     }
 
     /// Takes the pixels up in small chunks and puts each down, in an order in which none is painted over before it was taken

@@ -12,9 +12,11 @@ use embedded_graphics_core::{
     Pixel,
 };
 use embedded_raster::{
-    buffer_bytes,
-    pixel::{row_bytes, Lsb0},
-    Bitmap, BufferError, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, PixelFormat, Rect, Span, Surface,
+    pixel::Lsb0,
+    raster::flood::{Connectivity, FloodSlot},
+    surface::{Grid, Rows},
+    BufferError, Canvas, EdgeSlot, Ellipse, FillRule, Frame as Memory, Index1, Layout, PixelFormat, Readable, Rect,
+    Span, Surface,
 };
 
 use super::{
@@ -125,7 +127,7 @@ impl Shape {
     }
 }
 
-/// A pixel format of the crate.
+/// A layout of the crate.
 #[allow(missing_docs, reason = "each is called as what it stands for")]
 pub trait Kind {
     fn format(&self) -> Format;
@@ -142,8 +144,6 @@ pub trait Kind {
     ) -> Result<Box<dyn Frame + 'a>, BufferError>;
     fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), BufferError>;
     fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError>;
-    /// The bytes of some pixels of a bitmap in the memory of `twin`.
-    fn bitmap_bytes(&self, twin: &Naive, area: Rect) -> Vec<Vec<u8>>;
 }
 
 /// What a framebuffer does.
@@ -156,6 +156,12 @@ pub trait Frame {
     fn clipped<'a>(&'a mut self, area: Rect) -> Box<dyn Frame + 'a>;
 
     fn fill_span(&mut self, span: Span, color: u32);
+    /// Colours from the start of the span on; nothing where there is none.
+    fn write_some(&mut self, span: Span, colors: &[Option<u32>]);
+    fn edit_span(&mut self, span: Span, edit: &dyn Fn(i32, u32) -> u32);
+    fn read_span(&self, span: Span) -> Vec<u32>;
+    /// The first column of a wanted colour, and where wanted colours begin that reach the end.
+    fn find(&self, span: Span, wanted: u32) -> Option<(i32, i32)>;
     fn fill_area(&mut self, area: Rect, color: u32);
     fn clear(&mut self, color: u32);
     fn fill_window(&mut self, color: u32);
@@ -164,12 +170,13 @@ pub trait Frame {
 
     fn get(&self, p: Point) -> Option<u32>;
     fn colors(&self, area: Rect) -> Vec<u32>;
-    fn bytes(&self, area: Rect) -> Vec<Vec<u8>>;
-    fn row_bytes(&self, rows: Range<u16>) -> Vec<u8>;
     /// Of the framebuffer as a bitmap: a pixel, its window, its size.
     fn as_bitmap(&self, p: Point) -> (Option<u32>, Rect, Size);
 
+    fn flood(&mut self, seed: Point, boundary: Option<u32>, slots: usize, color: u32);
     fn blit(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>);
+    /// A picture in rows.
+    fn blit_rows(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>);
     /// `mask` holds pixels of one bit, the first in the low bit of its bytes if `lsb0`.
     fn blit_mask(&mut self, at: Point, mask: &Naive, part: Rect, on: u32, off: Option<u32>);
     fn move_area(&mut self, area: Rect, to: Point, key: Option<u32>);
@@ -180,36 +187,43 @@ pub trait Frame {
     fn pixel(&self, p: Point) -> Option<u32>;
 }
 
-/// The [`Kind`] of a format.
-pub struct Of<F>(pub PhantomData<F>);
+/// The [`Kind`] of a layout whose colours have the bits of the format `F`.
+pub struct Of<L, F>(pub PhantomData<(L, F)>, pub Format);
 
-fn boxed<'a, F: PixelFormat>(frame: Framebuffer<'a, F>) -> Box<dyn Frame + 'a> {
-    Box::new(frame)
+impl<F: PixelFormat> Of<Rows<F>, F> {
+    /// Rows of a format.
+    pub fn rows() -> Self {
+        Self(PhantomData, Format::of::<F>())
+    }
 }
 
-fn lists<'a>(rows: impl Iterator<Item = &'a [u8]>) -> Vec<Vec<u8>> {
-    rows.map(<[u8]>::to_vec).collect()
+/// Memory in a layout whose colours have the bits of the format `F`.
+struct InBits<'a, L, F>(Memory<&'a mut [u8], L>, PhantomData<F>);
+
+fn boxed<'a, F: PixelFormat, L: Layout<Color = F::Color>>(frame: Memory<&'a mut [u8], L>) -> Box<dyn Frame + 'a> {
+    Box::new(InBits(frame, PhantomData::<F>))
 }
 
-impl<F: PixelFormat> Kind for Of<F> {
+impl<F: PixelFormat, L: Layout<Color = F::Color>> Kind for Of<L, F> {
     fn format(&self) -> Format {
-        Format::of::<F>()
+        self.1
     }
 
     fn bytes(&self, width: u16, height: u16) -> (usize, usize) {
-        (row_bytes::<F>(width), buffer_bytes::<F>(width, height))
+        let stride = L::row_bytes(width);
+        (stride, L::bytes(width, Grid { stride, rows: height.into() }))
     }
 
     fn open<'a>(&self, twin: &Naive, bytes: &'a mut [u8]) -> Box<dyn Frame + 'a> {
-        boxed(twin.frame::<F>(bytes))
+        boxed::<F, L>(twin.frame(bytes))
     }
 
     fn packed<'a>(&self, memory: &'a mut [u8], width: u16, height: u16) -> Result<Box<dyn Frame + 'a>, BufferError> {
-        Framebuffer::<F>::new(memory, width, height).map(boxed)
+        Memory::new(memory, width, height).map(boxed::<F, L>)
     }
 
     fn strided(&self, memory: &mut [u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError> {
-        Framebuffer::<F>::with_stride(memory, width, height, stride).map(|_| ())
+        Memory::<_, L>::with_stride(memory, width, height, stride).map(|_| ())
     }
 
     fn band<'a>(
@@ -218,127 +232,160 @@ impl<F: PixelFormat> Kind for Of<F> {
         size: (u16, u16),
         rows: Range<u16>,
     ) -> Result<Box<dyn Frame + 'a>, BufferError> {
-        Framebuffer::<F>::band(memory, size.0, size.1, rows).map(boxed)
+        Memory::band(memory, size.0, size.1, rows).map(boxed::<F, L>)
     }
 
     fn packed_bitmap(&self, memory: &[u8], width: u16, height: u16) -> Result<(), BufferError> {
-        Bitmap::<F>::new(memory, width, height).map(|_| ())
+        Memory::<_, L>::new(memory, width, height).map(|_| ())
     }
 
     fn strided_bitmap(&self, memory: &[u8], width: u16, height: u16, stride: usize) -> Result<(), BufferError> {
-        Bitmap::<F>::with_stride(memory, width, height, stride).map(|_| ())
-    }
-
-    fn bitmap_bytes(&self, twin: &Naive, area: Rect) -> Vec<Vec<u8>> {
-        lists(twin.bitmap::<F>().bytes(area))
+        Memory::<_, L>::with_stride(memory, width, height, stride).map(|_| ())
     }
 }
 
-impl<F: PixelFormat> Frame for Framebuffer<'_, F> {
+impl<F: PixelFormat, L: Layout<Color = F::Color>> Frame for InBits<'_, L, F> {
     fn window(&self) -> Rect {
-        Surface::window(self)
+        Surface::window(&self.0)
     }
 
     fn size(&self) -> Size {
-        Framebuffer::size(self)
+        self.0.size()
     }
 
     fn stride(&self) -> usize {
-        Framebuffer::stride(self)
+        self.0.stride()
     }
 
     fn view<'a>(&'a mut self, area: Rect) -> Box<dyn Frame + 'a> {
-        boxed(Framebuffer::view(self, area))
+        boxed::<F, L>(self.0.view(area))
     }
 
     fn clipped<'a>(&'a mut self, area: Rect) -> Box<dyn Frame + 'a> {
-        boxed(Framebuffer::clipped(self, area))
+        boxed::<F, L>(self.0.clipped(area))
     }
 
     fn fill_span(&mut self, span: Span, color: u32) {
-        if let Some(span) = span.clip(Surface::window(self)) {
-            Surface::fill_span(self, span, F::unpack(color));
+        if let Some(span) = span.clip(self.0.window()) {
+            self.0.fill_span(span, F::unpack(color));
         }
     }
 
+    fn write_some(&mut self, span: Span, colors: &[Option<u32>]) {
+        if let Some(clipped) = span.clip(self.0.window()) {
+            let color = |x: i32| colors[(x - span.x0) as usize].map(F::unpack);
+            self.0.write_some(clipped, color);
+        }
+    }
+
+    fn edit_span(&mut self, span: Span, edit: &dyn Fn(i32, u32) -> u32) {
+        if let Some(span) = span.clip(self.0.window()) {
+            self.0.edit_span(span, |x, old| F::unpack(edit(x, F::pack(old))));
+        }
+    }
+
+    fn read_span(&self, span: Span) -> Vec<u32> {
+        let mut colors = vec![];
+        if let Some(span) = span.clip(self.0.window()) {
+            self.0.read_span(span, |color| colors.push(F::pack(color)));
+        }
+        colors
+    }
+
+    fn find(&self, span: Span, wanted: u32) -> Option<(i32, i32)> {
+        let span = span.clip(self.0.window())?;
+        let is_wanted = |color| F::pack(color) == wanted;
+        Some((self.0.find(span, is_wanted), self.0.find_start(span, is_wanted)))
+    }
+
     fn fill_area(&mut self, area: Rect, color: u32) {
-        Surface::fill_area(self, area, F::unpack(color));
+        Surface::fill_area(&mut self.0, area, F::unpack(color));
     }
 
     fn clear(&mut self, color: u32) {
-        Framebuffer::clear(self, F::unpack(color));
+        Memory::clear(&mut self.0, F::unpack(color));
     }
 
     fn fill_window(&mut self, color: u32) {
-        Canvas::fill_window(self, F::unpack(color));
+        self.0.fill_window(F::unpack(color));
     }
 
     fn set(&mut self, p: Point, color: u32) {
-        Surface::set(self, p, F::unpack(color));
+        self.0.set(p, F::unpack(color));
     }
 
     fn draw(&mut self, shape: &Shape, color: u32) {
-        shape.draw(self, F::unpack(color));
+        shape.draw(&mut self.0, F::unpack(color));
     }
 
     fn get(&self, p: Point) -> Option<u32> {
-        Framebuffer::get(self, p).map(F::pack)
+        let read = Readable::get(&self.0, p);
+        assert!(read == Memory::get(&self.0, p), "by the trait and by the method");
+        read.map(F::pack)
     }
 
     fn colors(&self, area: Rect) -> Vec<u32> {
-        Framebuffer::colors(self, area).map(F::pack).collect()
-    }
-
-    fn bytes(&self, area: Rect) -> Vec<Vec<u8>> {
-        lists(Framebuffer::bytes(self, area))
-    }
-
-    fn row_bytes(&self, rows: Range<u16>) -> Vec<u8> {
-        Framebuffer::row_bytes(self, rows).to_vec()
+        self.0.colors(area).map(F::pack).collect()
     }
 
     fn as_bitmap(&self, p: Point) -> (Option<u32>, Rect, Size) {
-        let bitmap = Framebuffer::as_bitmap(self);
+        let bitmap = self.0.as_bitmap();
         (bitmap.get(p).map(F::pack), bitmap.window(), bitmap.size())
     }
 
+    fn flood(&mut self, seed: Point, boundary: Option<u32>, slots: usize, color: u32) {
+        let (mut table, color) = (vec![FloodSlot::EMPTY; slots], F::unpack(color));
+        match boundary {
+            Some(to) => self.0.flood_fill_to(seed, F::unpack(to), Connectivity::Sides, &mut table, color),
+            None => self.0.flood_fill(seed, Connectivity::Sides, &mut table, color),
+        };
+    }
+
     fn blit(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>) {
-        let source = source.bitmap::<F>().clipped(part);
+        let source = source.bitmap::<L>().clipped(part);
         match key {
-            Some(key) => Canvas::blit_keyed(self, at, &source, F::unpack(key)),
-            None => Canvas::blit(self, at, &source),
+            Some(key) => self.0.blit_keyed(at, &source, F::unpack(key)),
+            None => self.0.blit(at, &source),
+        }
+    }
+
+    fn blit_rows(&mut self, at: Point, source: &Naive, part: Rect, key: Option<u32>) {
+        let source = source.bitmap::<Rows<F>>().clipped(part);
+        match key {
+            Some(key) => self.0.blit_keyed(at, &source, F::unpack(key)),
+            None => self.0.blit(at, &source),
         }
     }
 
     fn blit_mask(&mut self, at: Point, mask: &Naive, part: Rect, on: u32, off: Option<u32>) {
         let (on, off) = (F::unpack(on), off.map(F::unpack));
         if mask.format.lsb0 {
-            Canvas::blit_mask(self, at, &mask.bitmap::<Lsb0<Index1>>().clipped(part), on, off);
+            self.0.blit_mask(at, &mask.bitmap::<Rows<Lsb0<Index1>>>().clipped(part), on, off);
         } else {
-            Canvas::blit_mask(self, at, &mask.bitmap::<Index1>().clipped(part), on, off);
+            self.0.blit_mask(at, &mask.bitmap::<Rows<Index1>>().clipped(part), on, off);
         }
     }
 
     fn move_area(&mut self, area: Rect, to: Point, key: Option<u32>) {
         match key {
-            Some(key) => Canvas::move_area_keyed(self, area, to, F::unpack(key)),
-            None => Canvas::move_area(self, area, to),
+            Some(key) => self.0.move_area_keyed(area, to, F::unpack(key)),
+            None => self.0.move_area(area, to),
         }
     }
 
     fn draw_iter(&mut self, pixels: &[(Point, u32)]) {
-        let Ok(()) = DrawTarget::draw_iter(self, pixels.iter().map(|&(p, color)| Pixel(p, F::unpack(color))));
+        let Ok(()) = self.0.draw_iter(pixels.iter().map(|&(p, color)| Pixel(p, F::unpack(color))));
     }
 
     fn fill_contiguous(&mut self, area: &Rectangle, colors: &[u32]) {
-        let Ok(()) = DrawTarget::fill_contiguous(self, area, colors.iter().map(|&color| F::unpack(color)));
+        let Ok(()) = self.0.fill_contiguous(area, colors.iter().map(|&color| F::unpack(color)));
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: u32) {
-        let Ok(()) = DrawTarget::fill_solid(self, area, F::unpack(color));
+        let Ok(()) = self.0.fill_solid(area, F::unpack(color));
     }
 
     fn pixel(&self, p: Point) -> Option<u32> {
-        GetPixel::pixel(self, p).map(F::pack)
+        GetPixel::pixel(&self.0, p).map(F::pack)
     }
 }

@@ -3,9 +3,23 @@
 use std::ops::Range;
 
 use embedded_graphics_core::geometry::Point;
-use embedded_raster::{Bitmap, Framebuffer, PixelFormat, Rect};
+use embedded_raster::{Frame, Layout, PixelFormat, Rect};
 
 use super::rng::Rng;
+
+/// How pixels lie in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrangement {
+    /// Row after row, as the table of formats tells.
+    Rows,
+    /// Row after row, in a row one bit after the other from the most significant one of the first byte on, of a pixel the
+    /// most significant one first.
+    Stream,
+    /// Pages of eight rows, a byte for each column: the topmost row in bit 0 if the format says so, or else in bit 7.
+    Pages,
+    /// Rows of bit 0 of all pixels, then rows of bit 1 of all pixels.
+    Planes,
+}
 
 /// What there is to know of a pixel format. The twin is not generic, so that it is compiled once.
 #[derive(Clone, Copy)]
@@ -14,8 +28,12 @@ pub struct Format {
     pub name: &'static str,
     /// Of a pixel.
     pub bits: usize,
+    /// The same in rows.
+    pub rows: usize,
     /// Whether the first pixel is in the low bits of its byte.
     pub lsb0: bool,
+    /// Where the bits of a pixel are.
+    pub arrangement: Arrangement,
     /// The bits of the colour of some bits: without those that no colour has, such as the sixteenth of `Rgb555`.
     color: fn(u32) -> u32,
 }
@@ -24,7 +42,14 @@ impl Format {
     /// The format of the crate.
     pub fn of<F: PixelFormat>() -> Self {
         let color = |bits| F::pack(F::unpack(bits));
-        Self { name: std::any::type_name::<F>(), bits: F::BITS as usize, lsb0: F::LSB0, color }
+        Self {
+            name: std::any::type_name::<F>(),
+            bits: F::BITS as usize,
+            rows: F::BITS as usize,
+            lsb0: F::LSB0,
+            arrangement: Arrangement::Rows,
+            color,
+        }
     }
 
     /// The bits of any colour.
@@ -32,16 +57,50 @@ impl Format {
         (self.color)((rng.bits() & ((1 << self.bits) - 1)) as u32)
     }
 
-    /// Bytes of a row without a gap.
+    /// The bits of the colour that some bits stand for.
+    pub fn color(self, bits: u32) -> u32 {
+        (self.color)(bits)
+    }
+
+    /// The same in another arrangement.
+    pub fn arranged(self, arrangement: Arrangement, bits: usize) -> Self {
+        Self { bits, arrangement, ..self }
+    }
+
+    /// Rows that share bytes.
+    pub fn page(self) -> u16 {
+        if self.arrangement == Arrangement::Pages {
+            8
+        } else {
+            1
+        }
+    }
+
+    /// Bytes of a row without a gap, or of a page.
     pub fn row_bytes(self, width: usize) -> usize {
-        (width * self.bits).div_ceil(8)
+        match self.arrangement {
+            Arrangement::Rows | Arrangement::Stream => (width * self.bits).div_ceil(8),
+            Arrangement::Pages => width,
+            Arrangement::Planes => width.div_ceil(8),
+        }
+    }
+
+    /// Bytes that so many rows of a width take; stops at `usize::MAX`.
+    pub fn bytes(self, width: usize, rows: usize, stride: usize) -> usize {
+        match self.arrangement {
+            Arrangement::Planes => stride.saturating_mul(2 * rows),
+            _ => match rows.div_ceil(self.page().into()) {
+                0 => 0,
+                n => stride.saturating_mul(n - 1).saturating_add(self.row_bytes(width)),
+            },
+        }
     }
 
     /// The bits of pixel `x` of the row that starts at byte `row`, as (byte, bit) from its least significant one.
     fn places(self, row: usize, x: usize) -> impl Iterator<Item = (usize, usize)> {
         let first = x * self.bits;
         (0..self.bits).map(move |i| {
-            if self.bits >= 8 || self.lsb0 {
+            if self.arrangement != Arrangement::Stream && (self.bits >= 8 || self.lsb0) {
                 // Bits count from the least significant one of the first byte.
                 (row + (first + i) / 8, (first + i) % 8)
             } else {
@@ -94,26 +153,22 @@ impl Naive {
     /// every alignment can be had, and may be larger than it has to be.
     pub fn random(rng: &mut Rng, format: Format, (width, height): (u16, u16), start: usize, gap: usize) -> Self {
         let stride = format.row_bytes(width.into()) + gap;
-        let needed = usize::from(height) * stride;
-        let bytes: Vec<u8> = (0..start + needed + 24).map(|_| rng.bits() as u8).collect();
+        let needed = format.bytes(width.into(), height.into(), stride);
+        let bytes: Vec<u8> = (0..start + needed + gap + 24).map(|_| rng.bits() as u8).collect();
         // The gap after the last row need not be there.
-        let length = match height {
-            _ if rng.one_in(2) => needed + 9,
-            0 => 0,
-            _ => needed - gap,
-        };
+        let length = if rng.one_in(2) { needed + gap + 9 } else { needed };
         Self { format, bytes, place: start..start + length, stride, width, height }
     }
 
     /// Some bytes seen as the surface that this is the twin of.
-    pub fn frame<'a, F: PixelFormat>(&self, bytes: &'a mut [u8]) -> Framebuffer<'a, F> {
-        Framebuffer::with_stride(&mut bytes[self.place.clone()], self.width, self.height, self.stride)
+    pub fn frame<'a, L: Layout>(&self, bytes: &'a mut [u8]) -> Frame<&'a mut [u8], L> {
+        Frame::with_stride(&mut bytes[self.place.clone()], self.width, self.height, self.stride)
             .expect("the memory is as large as the twin says")
     }
 
     /// Its own bytes, to read.
-    pub fn bitmap<F: PixelFormat>(&self) -> Bitmap<'_, F> {
-        Bitmap::with_stride(&self.bytes[self.place.clone()], self.width, self.height, self.stride)
+    pub fn bitmap<L: Layout>(&self) -> Frame<&[u8], L> {
+        Frame::with_stride(&self.bytes[self.place.clone()], self.width, self.height, self.stride)
             .expect("the memory is as large as the twin says")
     }
 
@@ -122,20 +177,33 @@ impl Naive {
         Rect::new(0, 0, self.width.into(), self.height.into())
     }
 
-    fn row(&self, y: i32) -> usize {
-        self.place.start + y as usize * self.stride
+    /// The bits of a pixel, as (byte, bit), its least significant one first.
+    fn places(&self, x: i32, y: i32) -> Vec<(usize, usize)> {
+        let (start, x, y) = (self.place.start, x as usize, y as usize);
+        let in_byte = |n: usize| if self.format.lsb0 { n % 8 } else { 7 - n % 8 };
+        match self.format.arrangement {
+            Arrangement::Pages => vec![(start + y / 8 * self.stride + x, in_byte(y))],
+            Arrangement::Planes => {
+                let plane = |n: usize| start + (n * usize::from(self.height) + y) * self.stride + x / 8;
+                vec![(plane(0), in_byte(x)), (plane(1), in_byte(x))]
+            }
+            _ => self.format.places(start + y * self.stride, x).collect(),
+        }
     }
 
     /// `None` outside.
     pub fn get(&self, x: i32, y: i32) -> Option<u32> {
-        self.window().contains(x, y).then(|| self.format.read(&self.bytes, self.row(y), x as usize))
+        let bit = |(byte, bit): (usize, usize)| u32::from(self.bytes[byte] >> bit & 1);
+        let bits = |places: Vec<_>| places.into_iter().enumerate().map(|(i, place)| bit(place) << i).sum();
+        self.window().contains(x, y).then(|| (self.format.color)(bits(self.places(x, y))))
     }
 
     /// Nothing outside.
     pub fn set(&mut self, x: i32, y: i32, color: u32) {
         if self.window().contains(x, y) {
-            let row = self.row(y);
-            self.format.write(&mut self.bytes, row, x as usize, color);
+            for (i, (byte, bit)) in self.places(x, y).into_iter().enumerate() {
+                self.bytes[byte] = self.bytes[byte] & !(1 << bit) | ((color >> i & 1) as u8) << bit;
+            }
         }
     }
 

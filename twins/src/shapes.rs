@@ -19,17 +19,22 @@ pub fn twice_area(a: Units, b: Units, c: Units) -> i128 {
 }
 
 /// Positive on the inner side of the side from a to b of a triangle with positive area.
+///
+/// Where it is inlined the compiler sees that numbers in 24.8 are narrow: the tests of triangles take half of the time.
+#[inline(always)]
 fn edge_function(a: Place, b: Place, p: Place) -> i128 {
     (b.0 - a.0) * (p.1 - a.1) - (b.1 - a.1) * (p.0 - a.0)
 }
 
 /// Is the centre of a pixel inside a triangle?
+#[inline]
 pub fn triangle_has(corners: [Units; 3], x: i32, y: i32) -> bool {
     wide_triangle_has(corners.map(wide), ONE, x, y)
 }
 
 /// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)? In units, `per_pixel` to a
 /// pixel.
+#[inline(always)]
 pub fn wide_triangle_has([a, b, c]: [Place; 3], per_pixel: i128, x: i32, y: i32) -> bool {
     let (b, c) = match edge_function(a, b, c) {
         0 => return false,
@@ -60,37 +65,38 @@ pub fn sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Units, Units)> + 
     contours.iter().flat_map(|c| sides_of(c))
 }
 
-/// The sides of closed contours, in wide numbers.
-fn wide_sides(contours: &[Vec<Units>]) -> impl Iterator<Item = (Place, Place)> + '_ {
-    sides(contours).map(|(a, b)| (wide(a), wide(b)))
-}
-
 /// Does a side cross a row: `y0 <= y < y1`?
 pub fn crosses((a, b): (Place, Place), y: i128) -> bool {
     a.1.min(b.1) <= y && y < a.1.max(b.1)
 }
 
-/// The winding number and the number of sides at or left of a place.
-pub fn crossings_at(sides: impl Iterator<Item = (Place, Place)>, (x, y): Place) -> (i32, u32) {
-    let (mut winding, mut count) = (0, 0);
-    for (a, b) in sides {
-        if !crosses((a, b), y) {
-            continue;
-        }
+/// The sides of closed contours that cross a row.
+fn sides_at(contours: &[Vec<Units>], y: i128) -> impl Iterator<Item = (Units, Units)> + '_ {
+    sides(contours).filter(move |&side| crosses(wide_side(side), y))
+}
+
+fn wide_side((a, b): (Units, Units)) -> (Place, Place) {
+    (wide(a), wide(b))
+}
+
+/// The winding number and the number of sides at or left of a place, of those that cross its row.
+pub fn crossings_at(sides_on_row: impl Iterator<Item = (Place, Place)>, (x, y): Place) -> (i32, u32) {
+    sides_on_row.fold((0, 0), |(winding, count), (a, b)| {
         let (upper, lower, sign) = if a.1 < b.1 { (a, b, 1) } else { (b, a, -1) };
         // The crossing ux + (y - uy) dx / dy is at or left of x.
         let ((ux, uy), (dx, dy)) = (upper, (lower.0 - upper.0, lower.1 - upper.1));
         if (y - uy) * dx <= (x - ux) * dy {
-            winding += sign;
-            count += 1;
+            (winding + sign, count + 1)
+        } else {
+            (winding, count)
         }
-    }
-    (winding, count)
+    })
 }
 
 /// The winding number and the number of sides at or left of the centre of a pixel.
 pub fn crossings(contours: &[Vec<Units>], x: i32, y: i32) -> (i32, u32) {
-    crossings_at(wide_sides(contours), (centre(x, ONE), centre(y, ONE)))
+    let at = (centre(x, ONE), centre(y, ONE));
+    crossings_at(sides_at(contours, at.1).map(wide_side), at)
 }
 
 /// Is a place inside that has these crossings at or left of it?
@@ -101,24 +107,27 @@ pub fn is_inside(rule: FillRule, (winding, count): (i32, u32)) -> bool {
     }
 }
 
-/// Is the centre of a pixel inside a polygon?
-pub fn polygon_has(contours: &[Vec<Units>], rule: FillRule, x: i32, y: i32) -> bool {
-    is_inside(rule, crossings(contours, x, y))
-}
-
 /// Is a place inside a polygon?
 pub fn polygon_contains(contours: &[Vec<Units>], rule: FillRule, at: Units) -> bool {
-    is_inside(rule, crossings_at(wide_sides(contours), wide(at)))
+    is_inside(rule, crossings_at(sides_at(contours, at.1.into()).map(wide_side), wide(at)))
 }
 
 /// The pixels of a polygon, pixel by pixel.
 pub fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run> {
-    runs_where(window, |x, y| polygon_has(contours, rule, x, y))
+    // The same sides cross a whole row.
+    let mut row = (None, vec![]);
+    runs_where(window, |x, y| {
+        let at = (centre(x, ONE), centre(y, ONE));
+        if row.0 != Some(y) {
+            row = (Some(y), sides_at(contours, at.1).collect());
+        }
+        is_inside(rule, crossings_at(row.1.iter().copied().map(wide_side), at))
+    })
 }
 
 /// How many sides cross a row.
 pub fn sides_on_row(contours: &[Vec<Units>], y: i32) -> usize {
-    wide_sides(contours).filter(|&side| crosses(side, centre(y, ONE))).count()
+    sides_at(contours, centre(y, ONE)).count()
 }
 
 /// The pixels of a sub-pixel rectangle: left and top sides in, right and bottom sides out.

@@ -9,24 +9,23 @@ use crate::{
 
 /// The rows of a disc, top row first, without what clipping takes and with fewer registers.
 ///
-/// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`. From the top to the
-/// middle the rows become wider, while f is negative at their end. From the middle to the bottom all goes backwards: the same
-/// additions are taken back, while f stays positive one pixel further in.
+/// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`. From row to row f
+/// gains `v + 1`. Down to the middle the rows become wider, while f is negative at their end; below it they become narrower,
+/// while f is not negative one pixel further in.
+#[derive(Copy, Clone)]
 pub(super) struct Disc {
     f: i32,
     /// What f gains to the next pixel.
     step: i32,
-    /// What f gains to the next row.
+    /// What f gains to the next row: `v + 1`.
     down: i32,
     /// The first pixel that is not drawn, from the one right of the middle on.
     end: i32,
     /// Both ends of a row together.
     sum: i32,
     y: i32,
-    /// Rows that are left down to the middle, that one included.
-    upper: u32,
-    /// Rows that are left below it.
-    lower: u32,
+    /// Rows that are left.
+    left: u32,
 }
 
 impl Disc {
@@ -44,8 +43,7 @@ impl Disc {
             end: x1.wrapping_sub(half),
             sum: x0.wrapping_add(x1),
             y: y0,
-            upper: unsigned(half),
-            lower: unsigned(half.wrapping_sub(odd)),
+            left: unsigned(diameter),
         }
     }
 
@@ -57,41 +55,41 @@ impl Disc {
         is_disc.then(|| Self::new(area, area.x1.wrapping_sub(area.x0)))
     }
 
-    /// The next row of the upper half.
+    /// The next row. Never empty: on every row of a disc the pixels next to the middle lie inside.
     #[inline(always)]
-    pub(super) fn next_upper(&mut self) -> Option<ClippedSpan> {
-        self.upper = self.upper.checked_sub(1)?;
-        while self.f < 0 {
-            self.f = self.f.wrapping_add(self.step);
-            self.step = self.step.wrapping_add(2);
-            self.end = self.end.wrapping_add(1);
-            // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
-            keep_rolled();
+    pub(super) fn next(&mut self) -> Option<ClippedSpan> {
+        self.left = self.left.checked_sub(1)?;
+        if self.is_upper() {
+            while self.f < 0 {
+                self.f = self.f.wrapping_add(self.step);
+                self.step = self.step.wrapping_add(2);
+                self.end = self.end.wrapping_add(1);
+                // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
+                keep_rolled();
+            }
+        } else {
+            loop {
+                let before = self.f.wrapping_sub(self.step).wrapping_add(2);
+                if before < 0 {
+                    break;
+                }
+                self.f = before;
+                self.step = self.step.wrapping_sub(2);
+                self.end = self.end.wrapping_sub(1);
+                keep_rolled();
+            }
         }
-        // A disc of odd width has a row in the middle that nothing mirrors; its steps are odd.
-        if self.upper > 0 || self.step & 1 == 0 {
-            self.f = self.f.wrapping_add(self.down);
-            self.down = self.down.wrapping_add(2);
-        }
-        Some(self.row())
+        self.f = self.f.wrapping_add(self.down);
+        self.down = self.down.wrapping_add(2);
+        let y = self.y;
+        self.y = y.wrapping_add(1);
+        Some(ClippedSpan::inside(y, self.sum.wrapping_sub(self.end), self.end))
     }
 
-    /// The next row of the lower half, which mirrors one of the upper.
+    /// Whether the next row lies above the middle or in it: v is 0 or less.
     #[inline(always)]
-    pub(super) fn next_lower(&mut self) -> Option<ClippedSpan> {
-        self.lower = self.lower.checked_sub(1)?;
-        self.down = self.down.wrapping_sub(2);
-        self.f = self.f.wrapping_sub(self.down);
-        loop {
-            let step = self.step.wrapping_sub(2);
-            let before = self.f.wrapping_sub(step);
-            if before < 0 {
-                return Some(self.row());
-            }
-            (self.f, self.step) = (before, step);
-            self.end = self.end.wrapping_sub(1);
-            keep_rolled();
-        }
+    pub(super) fn is_upper(&self) -> bool {
+        self.down < 2
     }
 
     /// Goes over the rows between the halves.
@@ -99,20 +97,14 @@ impl Disc {
     pub(super) fn skip_to(&mut self, y: i32) {
         self.y = y;
     }
-
-    /// Never empty: on every row of a disc the pixels next to the middle lie inside.
-    #[inline(always)]
-    fn row(&mut self) -> ClippedSpan {
-        let y = self.y;
-        self.y = y.wrapping_add(1);
-        ClippedSpan::inside(y, self.sum.wrapping_sub(self.end), self.end)
-    }
 }
 
-/// Emits a disc: in a function of its own, with registers of its own.
+/// Emits a disc: in a function of its own, with registers of its own. What is passed by value would stay in the caller's
+/// memory; the copy does not.
 #[inline(never)]
-pub(super) fn fill(mut disc: Disc, mut sink: impl Sink) {
-    while let Some(span) = if disc.upper > 0 { disc.next_upper() } else { disc.next_lower() } {
+pub(super) fn fill(disc: &Disc, mut sink: impl Sink) {
+    let mut disc = *disc;
+    while let Some(span) = disc.next() {
         sink.span(span);
     }
 }

@@ -33,6 +33,8 @@
 //! Sources: M. Pitteway, "Algorithm for drawing ellipses or hyperbolae with a digital plotter", Computer Journal 10(3), 1967
 //! (signs at midpoints); R. Klette, A. Rosenfeld, "Digital Geometry", 2004 (grid-intersection digitisation).
 
+use core::num::Wrapping;
+
 use fixed::types::I24F8;
 
 pub use super::{
@@ -40,13 +42,15 @@ pub use super::{
     outline::{enclosed, outline},
 };
 use super::{
+    curve::{Curve, Size},
     disc::{self, Disc},
-    form::AnyRows,
+    form::{Number, Rows},
 };
 use crate::{
     geom::{bits, PointFx},
     num::{cast::narrow, round::difference},
-    span::{Rect, Sink, Span},
+    span::{ClippedSpan, Rect, Sink, Span},
+    tune::COMPACT,
 };
 
 /// Emits the spans of a filled ellipse that lie in `window`, top row first.
@@ -62,22 +66,33 @@ use crate::{
 #[inline]
 pub fn fill(ellipse: Ellipse, window: Rect, sink: impl Sink) {
     if let Some(disc) = Disc::of(&ellipse, window) {
-        return disc::fill(disc, sink);
+        return disc::fill(&disc, sink);
     }
     let clip = ellipse.extent().intersection(window);
     if !clip.is_empty() {
-        fill_any(&ellipse, clip, sink);
+        let mut sink = sink;
+        fill_any(&ellipse, clip, &mut |span| sink.span(span));
     }
 }
 
-/// All other ellipses, with one copy of the sink's code for numbers of all widths.
+/// All other ellipses. Numbers of all widths share one copy of the sink's code: that is what the `dyn` is for.
 #[inline(never)]
-fn fill_any(ellipse: &Ellipse, clip: Rect, mut sink: impl Sink) {
-    let mut rows = AnyRows::new(ellipse, clip);
+fn fill_any(ellipse: &Ellipse, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    let curve = ellipse.curve();
+    match curve.size() {
+        Size::Small if !COMPACT => fill_by::<Wrapping<i32>>(&curve, clip, emit),
+        Size::Large => fill_by::<Wrapping<i128>>(&curve, clip, emit),
+        _ => fill_by::<Wrapping<i64>>(&curve, clip, emit),
+    }
+}
+
+#[inline(always)]
+fn fill_by<T: Number>(curve: &Curve, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    let mut rows = Rows::<T>::new(curve, clip);
     for y in clip.y0..clip.y1 {
         let (x0, x1) = rows.row();
         if let Some(span) = (Span { y, x0, x1 }).clip_columns(clip) {
-            sink.span(span);
+            emit(span);
         }
     }
 }

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     num::cast::{narrow, signed, unsigned},
-    span::{Octants, Rect, Sink, Span},
+    span::{ClippedSpan, Octants, Rect, Sink, Span},
     tune::COMPACT,
 };
 
@@ -40,63 +40,49 @@ pub fn enclosed(area: Rect, window: Rect, sink: impl Sink) {
 }
 
 #[inline(always)]
-fn draw<const FILLED: bool>(area: Rect, window: Rect, sink: impl Sink) {
+fn draw<const FILLED: bool>(area: Rect, window: Rect, mut sink: impl Sink) {
     let clip = area.intersection(window);
     if !clip.is_empty() {
-        draw_any::<FILLED>(area, clip, sink);
+        draw_any::<FILLED>(area, clip, &mut |span| sink.span(span));
     }
 }
 
-/// With one copy of the sink's code for numbers of all widths.
+/// Numbers of all widths share one copy of the sink's code: that is what the `dyn` is for.
 #[inline(never)]
-fn draw_any<const FILLED: bool>(area: Rect, clip: Rect, mut sink: impl Sink) {
+fn draw_any<const FILLED: bool>(area: Rect, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
+    let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
+    match size_of(radii, 1) {
+        Size::Small if !COMPACT => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
+        Size::Large => draw_by::<Wrapping<i128>, FILLED>(area, radii, clip, emit),
+        _ => draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit),
+    }
+}
+
+#[inline(always)]
+fn draw_by<T: Number, const FILLED: bool>(
+    area: Rect,
+    radii: (i64, i64),
+    clip: Rect,
+    emit: &mut dyn FnMut(ClippedSpan),
+) {
     let curve = Ellipse::in_box(area).curve();
     let (from, count) = mirrored(&curve, clip);
     let outer = from.wrapping_add(signed(count)) < area.x1;
-    let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
-    let mut side = AnyBorder::new(radii, (curve.u(from), curve.v(clip.y0)), count, outer);
+    let mut side = Border::<T>::new(radii, (curve.u(from), curve.v(clip.y0)), count, outer);
     let sum = area.x0.wrapping_add(area.x1);
     for y in clip.y0..clip.y1 {
         let (low, end) = side.row();
         let (low, end) = (from.wrapping_add(low), from.wrapping_add(end));
         let touch = unsigned(low.wrapping_sub(area.x0)) <= unsigned(area.x1.wrapping_sub(low));
         // The left half, and the right one if they are apart.
-        let (mut x0, mut x1) = (sum.wrapping_sub(end), if FILLED || touch { end } else { sum.wrapping_sub(low) });
-        loop {
-            if let Some(span) = (Span { y, x0, x1 }).clip_columns(clip) {
-                sink.span(span);
-            }
-            if x1 == end {
-                break;
-            }
-            (x0, x1) = (low, end);
+        let first_end = if FILLED || touch { end } else { sum.wrapping_sub(low) };
+        if let Some(span) = (Span { y, x0: sum.wrapping_sub(end), x1: first_end }).clip_columns(clip) {
+            emit(span);
         }
-    }
-}
-
-/// The outline in the narrowest numbers that will do.
-enum AnyBorder {
-    Small(Border<Wrapping<i32>>),
-    Medium(Border<Wrapping<i64>>),
-    Large(Border<Wrapping<i128>>),
-}
-
-impl AnyBorder {
-    #[inline(always)]
-    fn new(radii: (i64, i64), at: (i64, i64), count: u32, outer: bool) -> Self {
-        match size_of(radii, 1) {
-            Size::Small if !COMPACT => Self::Small(Border::new(radii, at, count, outer)),
-            Size::Large => Self::Large(Border::new(radii, at, count, outer)),
-            _ => Self::Medium(Border::new(radii, at, count, outer)),
-        }
-    }
-
-    #[inline(never)]
-    fn row(&mut self) -> (i32, i32) {
-        match self {
-            Self::Small(border) => border.row(),
-            Self::Medium(border) => border.row(),
-            Self::Large(border) => border.row(),
+        if first_end != end {
+            if let Some(span) = (Span { y, x0: low, x1: end }).clip_columns(clip) {
+                emit(span);
+            }
         }
     }
 }

@@ -98,7 +98,7 @@ fn straight(area: Rect, radii: Radii) -> Rect {
 pub fn fill(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
     let middle = straight(area, radii);
     if let Some(corners) = corners(area, radii, window) {
-        return fill_corners(corners, middle, sink);
+        return fill_corners(&corners, middle, sink);
     }
     let clip = area.intersection(window);
     if !clip.is_empty() {
@@ -108,15 +108,17 @@ pub fn fill(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
 
 /// Both halves of a disc, and what is between them: in a function of its own, with registers of its own.
 #[inline(never)]
-fn fill_corners(mut corners: Disc, middle: Rect, mut sink: impl Sink) {
-    while let Some(span) = corners.next_upper() {
+fn fill_corners(corners: &Disc, middle: Rect, mut sink: impl Sink) {
+    let mut corners = *corners;
+    while corners.is_upper() {
+        let Some(span) = corners.next() else { break };
         sink.span(span);
     }
     if !middle.is_empty() {
         sink.area(middle);
     }
     corners.skip_to(middle.y1);
-    while let Some(span) = corners.next_lower() {
+    while let Some(span) = corners.next() {
         sink.span(span);
     }
 }
