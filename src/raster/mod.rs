@@ -5,8 +5,8 @@
 //! reads: an edge from `y0` to `y1` crosses the rows with `y0 <= cy < y1`, and of a row the pixels with `x0 <= cx < x1`
 //! are drawn. So shapes that share an edge draw every pixel along it exactly once.
 //!
-//! **Fill rules.** Walking along a row, [`NonZero`](FillRule::NonZero) adds 1 at an edge that goes down and takes 1 at one
-//! that goes up, and draws where the sum is not 0; [`EvenOdd`](FillRule::EvenOdd) draws where the count of edges is odd.
+//! **Fill rules.** Walking along a row, [`NonZero`](crate::FillRule::NonZero) adds 1 at an edge that goes down and takes 1 at one
+//! that goes up, and draws where the sum is not 0; [`EvenOdd`](crate::FillRule::EvenOdd) draws where the count of edges is odd.
 //!
 //! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!

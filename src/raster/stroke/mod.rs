@@ -1,7 +1,7 @@
 //! Lines with a width: strokes of lines, polylines and paths, as the union of small convex pieces.
 //!
 //! Every side of the path becomes a parallelogram, every vertex a join, every end a cap. All pieces turn the same way round, so
-//! filled by [`NonZero`](super::FillRule::NonZero) they are one shape: what they share is painted once.
+//! filled by [`NonZero`](crate::FillRule::NonZero) they are one shape: what they share is painted once.
 //! ```text
 //!   a+o __________ b+o    side     o = w/2 to the right of the direction, away from zero to whole units
 //!      |          |
@@ -102,7 +102,7 @@ pub fn extent<D>(path: Path<'_>, stroke: &Stroke<D>) -> Rect {
 
 impl<D: Dashing> Stroke<D> {
     /// The pieces of a stroked path that `window` may show, as closed contours for [`polygon::fill`](super::polygon::fill)
-    /// by [`NonZero`](super::FillRule::NonZero).
+    /// by [`NonZero`](crate::FillRule::NonZero).
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = Pen::new(&self, window);
         let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach) };

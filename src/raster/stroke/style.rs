@@ -33,7 +33,7 @@ pub enum Join {
 /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
 /// let tick = [PointFx::px(2, 2), PointFx::px(6, 6), PointFx::px(14, 1)];
 /// let stroke = Stroke::px(2).with_join(Join::Round).with_cap(Cap::Round);
-/// frame.stroke_polyline(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
+/// frame.stroke_polyline_fx(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
 /// let rows = [
 ///     0b0000_0000_0000_0110_u16,
 ///     0b0110_0000_0001_1110,
