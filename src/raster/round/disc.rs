@@ -7,31 +7,32 @@ use crate::{
     tune::{keep_rolled, COMPACT},
 };
 
-/// The rows of a disc, top row first, without what clipping takes and with fewer registers.
+/// The rows of a disc, top row first. Without clipping they take less work and fewer registers.
 ///
-/// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`. From the top to the
-/// middle the rows become wider, while f is negative at their end. From the middle to the bottom all goes backwards: the same
-/// additions are taken back, while f stays positive one pixel further in.
+/// u is the distance from the centre of the first pixel that is not drawn, v that of the row, both in half pixels. Then
+/// `f = floor((u^2 + v^2 - a^2 - 1) / 4)` is negative for pixels inside. From the top to the middle, the end of the row moves
+/// outwards while f is negative. From the middle to the bottom the same additions are taken back: the end moves inwards while f
+/// would not be negative one pixel further in.
 pub(super) struct Disc {
     f: i32,
     /// What f gains to the next pixel.
     step: i32,
     /// What f gains to the next row.
     down: i32,
-    /// The first pixel that is not drawn, from the one right of the middle on.
+    /// The column after the last pixel of the row.
     end: i32,
-    /// Both ends of a row together.
+    /// The sum of both ends of a row, the same on all rows.
     sum: i32,
     y: i32,
-    /// Rows that are left down to the middle, that one included.
+    /// Rows left down to the middle, the middle one included.
     upper: u32,
-    /// Rows that are left below it.
+    /// Rows left below the middle.
     lower: u32,
 }
 
 impl Disc {
-    /// By its box, at most 32,768 pixels wide. In a larger box it is the four corners: the halves of the disc are moved
-    /// apart, and the rows between are left out.
+    /// The disc of this diameter, at most 32,768, in its box. In a larger box the quarters of the disc lie in the four corners:
+    /// rows reach from the left quarters to the right ones, and the rows between the upper and the lower quarters are left out.
     #[inline(always)]
     pub(super) fn new(Rect { x0, y0, x1, .. }: Rect, diameter: i32) -> Self {
         // From the middle, u = 0 or 1, on the first row, v = 1 - a.
@@ -68,7 +69,7 @@ impl Disc {
             // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
             keep_rolled();
         }
-        // A disc of odd width has a row in the middle that nothing mirrors; its steps are odd.
+        // A disc of odd width has a middle row, which is its own mirror image. `step` is odd then.
         if self.upper > 0 || self.step & 1 == 0 {
             self.f = self.f.wrapping_add(self.down);
             self.down = self.down.wrapping_add(2);
@@ -94,7 +95,7 @@ impl Disc {
         }
     }
 
-    /// Goes over the rows between the halves.
+    /// Leaves out the rows between the upper and the lower half.
     #[inline(always)]
     pub(super) fn skip_to(&mut self, y: i32) {
         self.y = y;
@@ -109,7 +110,7 @@ impl Disc {
     }
 }
 
-/// Emits a disc: in a function of its own, with registers of its own.
+/// Emits a disc. Not inlined, so that it has all registers to itself.
 #[inline(never)]
 pub(super) fn fill(mut disc: Disc, mut sink: impl Sink) {
     while let Some(span) = if disc.upper > 0 { disc.next_upper() } else { disc.next_lower() } {
