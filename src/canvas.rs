@@ -28,17 +28,17 @@ use crate::{
     surface::{Frame, Layout, Readable, Rows, Surface},
 };
 
-/// Draws on any [`Surface`]. Whatever lies outside of its window is clipped, exactly.
+/// Draws shapes on any [`Surface`]. What lies outside of its window is clipped; the pixels inside are those of the whole shape.
 ///
 /// **Words.** `draw_` is a line one pixel wide, `fill_` the inside of a shape, `stroke_` a line with a width. `blit` copies a
 /// picture.
 ///
-/// **Pixels and places.** A method with a plain name is given pixels: a [`Point`], or the box of pixels that a [`Rect`] is.
-/// Corners of filled triangles and polygons stand for the centres of pixels. A method whose name ends in `_fx` is given places
-/// on the plane, to 1/256 of a pixel: a [`PointFx`], or a shape made of such places, as [`Path`] and [`Ellipse`] are.
+/// **Pixels and places.** A method with a plain name takes pixels: a [`Point`] names one, a [`Rect`] a box of them. The corners
+/// of a filled triangle or polygon are the centres of these pixels. A method whose name ends in `_fx` takes places on the plane,
+/// to 1/256 of a pixel: a [`PointFx`], or a shape made of such places, as [`Path`] and [`Ellipse`] are.
 ///
-/// **Arguments.** First the shape, then options, then scratch memory, then the colour. Colours may be any
-/// [`Paint`]: see [`paint`](Self::paint).
+/// **Arguments.** First the shape, then options, then scratch memory, then the colour of all its pixels. Any other [`Paint`]
+/// goes through [`paint`](Self::paint).
 ///
 /// Each method links only the code of its own shape.
 /// ```
@@ -51,8 +51,8 @@ use crate::{
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 pub trait Canvas: Surface {
-    /// Draws a shape in any paint: calls `draw` with the window and a [`Brush`], which every function in
-    /// [`raster`](crate::raster) takes. All other methods are this one with a [`Solid`] colour.
+    /// Draws a shape in any paint. It calls `draw` with the window and a [`Brush`], and `draw` passes both to a function of
+    /// [`raster`](crate::raster). Most other methods are this one with a [`Solid`] colour.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{raster::rectangle, Canvas, ClippedSpan, Framebuffer, Paint, Rect, Surface};
@@ -77,7 +77,7 @@ pub trait Canvas: Surface {
         draw(self.window(), Brush::new(self, paint))
     }
 
-    /// Paints everything that can be painted.
+    /// Paints all pixels of the window.
     #[inline]
     fn fill_window(&mut self, color: Self::Color) {
         self.fill_area(self.window(), color);
@@ -101,7 +101,8 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| line::draw(a, b, window, brush));
     }
 
-    /// Draws lines from each point to the next. Inner points are painted twice, which matters to nobody but a counter.
+    /// Draws lines from each point to the next. A point where two lines meet is painted twice, and a counter of pixels counts
+    /// both.
     fn draw_polyline(&mut self, points: impl IntoIterator<Item = Point>, color: Self::Color)
     where
         Self: Sized,
@@ -208,8 +209,8 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| ellipse::fill(ellipse, window, brush));
     }
 
-    /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included: what to fill before the outline is
-    /// drawn over it in another colour.
+    /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included. To have both in two colours, call this
+    /// first and draw the outline over it.
     #[inline]
     fn fill_outlined_ellipse(&mut self, area: Rect, color: Self::Color) {
         self.paint(Solid(color), |window, brush| ellipse::enclosed(area, window, brush));
@@ -255,25 +256,25 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| arc::fill(ellipse, sector, window, brush));
     }
 
-    /// Fills what lies inside of the ellipse in one box and not inside of the one in another.
+    /// Fills a ring: the pixels of the ellipse in the box `outer` that are not pixels of the ellipse in the box `inner`.
     #[inline]
     fn fill_ring(&mut self, outer: Rect, inner: Rect, color: Self::Color) {
         self.fill_ring_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), color);
     }
 
-    /// Fills what lies inside of `outer` and not inside of `inner`.
+    /// Fills a ring: the pixels of the ellipse `outer` that are not pixels of `inner`.
     #[inline]
     fn fill_ring_fx(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
         self.paint(Solid(color), |window, brush| arc::ring(outer, inner, window, brush));
     }
 
-    /// Fills a sector of a ring between two boxes, seen from the centre of the outer one.
+    /// Fills the part of a ring that lies in a sector, as seen from the centre of the box `outer`.
     #[inline]
     fn fill_ring_sector(&mut self, outer: Rect, inner: Rect, sector: Sector, color: Self::Color) {
         self.fill_ring_sector_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), sector, color);
     }
 
-    /// Fills a sector of a ring, seen from the centre of `outer`.
+    /// Fills the part of a ring that lies in a sector, as seen from the centre of `outer`.
     #[inline]
     fn fill_ring_sector_fx(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
         self.paint(Solid(color), |window, brush| arc::ring_sector(outer, inner, sector, window, brush));
@@ -300,7 +301,8 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| rounded::fill(area, radii, window, brush));
     }
 
-    /// Fills the polygon between the centres of pixels, closed by itself. `table` is scratch memory: see [`polygon::fill`].
+    /// Fills the polygon whose corners are the centres of these pixels; its last corner is joined to the first. `table` is
+    /// scratch memory: see [`polygon::fill`].
     ///
     /// # Errors
     /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
@@ -316,7 +318,7 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| polygon::fill([places], rule, table, window, brush))
     }
 
-    /// Fills a polygon of one contour, closed by itself.
+    /// Fills a polygon of one contour, whose last vertex is joined to the first.
     ///
     /// # Errors
     /// As for [`fill_polygon`](Self::fill_polygon).
@@ -444,7 +446,7 @@ pub trait Canvas: Surface {
         self.paint(Solid(color), |window, brush| stroke::fill_polyline(places, closed, stroke, table, window, brush))
     }
 
-    /// Draws a line with a width, in pieces that turn the same way: see [`stroke`](crate::raster::stroke).
+    /// Draws a line with a width: see [`stroke`](crate::raster::stroke) for which pixels.
     ///
     /// # Errors
     /// As for [`stroke_path_fx`](Self::stroke_path_fx). A solid line takes 4 slots with butt caps, 12 with square ones.
@@ -474,7 +476,7 @@ pub trait Canvas: Surface {
         self.copy_picture(at, picture, None);
     }
 
-    /// The same, but pixels of the colour `key` are transparent.
+    /// [`blit`](Self::blit), but pixels of the colour `key` are transparent.
     #[inline]
     fn blit_keyed<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Self::Color)
     where
@@ -485,8 +487,8 @@ pub trait Canvas: Surface {
         self.copy_picture(at, picture, Some(key));
     }
 
-    /// Paints a picture of one bit per pixel in two colours: `on` where a bit is set, and `off` elsewhere, or nothing if that
-    /// is `None`. Glyphs and icons are such pictures. What lies outside is clipped.
+    /// Paints a picture of one bit per pixel: a set bit in the colour `on`, any other in the colour `off`, or not at all if
+    /// `off` is `None`. Glyphs and icons are such pictures. What lies outside is clipped.
     /// ```
     /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
     /// use embedded_raster::{Bitmap, Canvas, Framebuffer, Index4};
@@ -513,8 +515,9 @@ pub trait Canvas: Surface {
         self.copy_mask(at, mask, on, off.into());
     }
 
-    /// Moves the pixels of `area` so that its top left one falls on `to`; both may overlap. What the area leaves keeps its
-    /// colours, what lies outside before or after is left out: scrolling by one row is `move_area(whole, (0, -1))`.
+    /// Copies the pixels of `area` so that the top left one falls on `to`. Both areas may overlap. Pixels that nothing is copied
+    /// to keep their colours; pixels that lie outside of the window, before or after, are left out. To scroll up by one row,
+    /// move the whole window to `Point::new(0, -1)`.
     #[inline]
     fn move_area(&mut self, area: Rect, to: Point)
     where
@@ -523,7 +526,7 @@ pub trait Canvas: Surface {
         self.copy_area(area, to, None);
     }
 
-    /// The same, but pixels of the colour `key` are not copied.
+    /// [`move_area`](Self::move_area), but pixels of the colour `key` are not copied.
     #[inline]
     fn move_area_keyed(&mut self, area: Rect, to: Point, key: Self::Color)
     where
@@ -532,11 +535,11 @@ pub trait Canvas: Surface {
         self.copy_area(area, to, Some(key));
     }
 
-    /// Paints the pixels of the seed's colour that are connected with it. A seed outside of the window, or one that has
-    /// the new colour already, paints nothing.
+    /// Paints the pixels of the seed's colour that are connected with it. Nothing is painted if the seed lies outside of the
+    /// window, or has the new colour already.
     ///
-    /// `table` is scratch memory of any length; what it holds does not matter. Returns how many slots the fill wanted: if
-    /// those are more than it was given, it took longer. See [`flood`](crate::raster::flood).
+    /// `table` is scratch memory of any length; what it holds does not matter. Returns how many slots the fill wanted. If
+    /// that is more than `table` has, the fill took longer and painted the same. See [`flood`](crate::raster::flood).
     /// ```
     /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
     /// use embedded_raster::{raster::flood::{Connectivity, FloodSlot}, Canvas, Framebuffer};
@@ -562,7 +565,7 @@ pub trait Canvas: Surface {
     }
 
     /// Paints the pixels of any colour that are connected with the seed, up to pixels of the colour `boundary`. Pixels that
-    /// have the new colour already are a boundary too: nothing tells them from painted ones.
+    /// have the new colour already are a boundary too, as nothing tells them from pixels that were painted.
     ///
     /// `table` and the result are as for [`flood_fill`](Self::flood_fill).
     fn flood_fill_to(

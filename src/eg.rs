@@ -1,9 +1,10 @@
 //! embedded-graphics, both ways.
 //!
-//! * A [`Frame`] is a `DrawTarget` and `GetPixel`: text, images and widgets made for embedded-graphics draw into it. Of any
-//!   other surface [`target`] makes one.
+//! * A [`Frame`] is a `DrawTarget` and `GetPixel`: text, images and widgets made for embedded-graphics draw into it. [`target`]
+//!   makes a `DrawTarget` of any other surface.
 //! * [`draw_on`] makes a [`Surface`] of any other `DrawTarget`: every shape of this crate draws on it.
-//! * [`Recolored`] is a `DrawTarget` that translates colours on their way: an RGB image into an indexed framebuffer.
+//! * [`Recolored`] is a `DrawTarget` that translates colours on their way to another one, so that an RGB image can be drawn into
+//!   an indexed framebuffer.
 
 use core::{convert::Infallible, iter::FusedIterator, marker::PhantomData};
 
@@ -135,8 +136,8 @@ fn write_rows<S: Surface>(surface: &mut S, area: &Rectangle, colors: impl IntoIt
 
 /// Splits colours that fill `area` row by row into the spans that lie in `window`, skipping what does not.
 ///
-/// Work is that of the visible part: the iterator is told how many to skip in one call. It has to be fused: one that went on
-/// after its end would paint rows further down.
+/// Work depends on the visible part: colours that are not shown are skipped in one call. The iterator has to be fused, as one
+/// that went on after its end would paint rows further down.
 fn for_each_row<I: FusedIterator>(
     area: &Rectangle,
     window: Rect,
@@ -165,7 +166,7 @@ fn for_each_row<I: FusedIterator>(
     }
 }
 
-/// Drops `n` items; false if there are none left before that.
+/// Drops `n` items. `false` if there were fewer.
 fn advance(items: &mut impl Iterator, n: u64) -> bool {
     let mut left = n;
     while let Some(last) = left.checked_sub(1) {
@@ -221,7 +222,7 @@ impl<D: DrawTarget> Target<'_, D> {
 impl<D: DrawTarget> Surface for Target<'_, D> {
     type Color = D::Color;
 
-    /// Nothing any more after an error.
+    /// Empty after an error, so that nothing is drawn any more.
     #[inline]
     fn window(&self) -> Rect {
         if self.error.is_none() {
@@ -252,8 +253,8 @@ pub struct Recolored<'a, D, C, M> {
     color: PhantomData<C>,
 }
 
-/// A target for colours `C` that paints what `convert` makes of them on `target`: an RGB image through the nearest
-/// entries of a palette, say.
+/// A target for colours `C`: `convert` turns each into a colour of `target`, which is painted. An example is an RGB image that is
+/// drawn with the nearest colours of a palette.
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 /// use embedded_raster::{eg::recolored, pixel::EGA, Framebuffer, Index4};

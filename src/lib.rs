@@ -1,6 +1,6 @@
-#![doc = include_str!("../README.md")]
+#![doc = include_str!("tour.md")]
 #![no_std]
-#![allow(clippy::doc_markdown, reason = "names of programs in the tables of the README")]
+#![allow(clippy::doc_markdown, reason = "names of displays and chips on the page of the crate")]
 
 #[cfg(test)]
 extern crate std;
@@ -31,3 +31,8 @@ pub use raster::{
 };
 pub use span::{ClippedSpan, Octants, Rect, Sink, Span, Steps};
 pub use surface::{Bitmap, Frame, Framebuffer, Layout, Readable, Surface};
+
+/// The program in the README is tested too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -8,7 +8,7 @@ use crate::{
     surface::Readable,
 };
 
-/// A surface of which pixels of certain colours are open.
+/// A surface, and which of its colours are open.
 pub(super) struct Area<'f, S: Readable, P> {
     pub(super) surface: &'f mut S,
     pub(super) color: S::Color,
@@ -60,7 +60,7 @@ impl<S: Readable, P: Fn(S::Color) -> bool> FloodTarget for Area<'_, S, P> {
     #[inline]
     fn corridor(&mut self, x: i32, y: i32, down: i32) -> i32 {
         let window = self.surface.window();
-        // Where it begins outside of the window it has no pixel.
+        // A corridor that begins outside of the window has no pixels.
         if y < window.y0 || y >= window.y1 {
             return y;
         }

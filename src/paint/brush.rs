@@ -14,7 +14,7 @@ pub struct Brush<'a, S: ?Sized, P> {
 }
 
 impl<'a, S: Surface + ?Sized, P: Paint<S>> Brush<'a, S, P> {
-    /// A surface to be drawn on in this paint.
+    /// The sink that draws on `surface` in this paint.
     #[inline(always)]
     pub fn new(surface: &'a mut S, paint: P) -> Self {
         Self { surface, paint }

@@ -1,8 +1,8 @@
 //! What gives the pixels of a shape their colours.
 //!
-//! A shape names pixels; a [`Paint`] says what happens to them on a surface. The two together with a surface are a
-//! [`Brush`], which is what shapes are drawn with: [`Canvas::paint`](crate::Canvas::paint) makes one. Drawing in one colour
-//! is the paint [`Solid`], and most programs need no other.
+//! A shape names pixels, and a [`Paint`] says what happens to them on a surface. A paint and a surface together are a [`Brush`],
+//! which receives a shape; [`Canvas::paint`](crate::Canvas::paint) makes one. [`Solid`] paints in one colour, and most programs
+//! need no other paint.
 //! ```
 //! use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 //! use embedded_raster::{raster::ellipse, Canvas, ClippedSpan, Ellipse, Framebuffer, Paint, Readable, Rect, Surface};

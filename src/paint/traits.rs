@@ -8,9 +8,9 @@ use crate::{
 /// What happens to the pixels of a shape on surfaces of the type `S`.
 ///
 /// The methods are those of a [`Sink`](crate::Sink), with a surface to draw on; all but [`span`](Self::span) are shortcuts.
-/// What is said lies in the window of the surface.
+/// All pixels that it is given lie in the window of the surface.
 ///
-/// A paint is passed by value; one that shall remember something is passed as `&mut`.
+/// A paint is passed by value. One that must remember something beyond the call is passed as `&mut`.
 pub trait Paint<S: Surface + ?Sized> {
     /// Paints pixels of one row.
     fn span(&mut self, on: &mut S, span: ClippedSpan);
@@ -32,7 +32,8 @@ pub trait Paint<S: Surface + ?Sized> {
         steps.spans(|span| self.span(on, span));
     }
 
-    /// Paints the outline of a circle, if it can do that as a whole; else says `false`, and is given the spans.
+    /// Paints the outline of a circle, if it can do that as a whole. If not, it returns `false`, and is given the same pixels in
+    /// spans.
     #[inline]
     fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
         let _ = (on, octants);

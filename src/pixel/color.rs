@@ -11,8 +11,8 @@ macro_rules! index {
     ($name:ident, $raw:ident, $bits:literal, $colors:literal, $standard:literal) => {
         #[doc = concat!("An index into a colour table of ", $colors, " entries, ", $bits, " bit(s) in memory.")]
         ///
-        /// It is an embedded-graphics colour, so text and images draw with it. What it looks like is the business of the
-        /// [`Palette`](crate::Palette) it is shown through; conversions from and to RGB colours go by the standard table
+        /// It is an embedded-graphics colour, so text and images draw with it. What it looks like depends on the
+        /// [`Palette`](crate::Palette) that it is shown through. Conversions from and to RGB colours use the standard table
         #[doc = concat!($standard, ", and `BinaryColor::On` is the last index.")]
         #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct $name($raw);
@@ -122,7 +122,7 @@ impl From<Xrgb8888> for RawU32 {
 macro_rules! rgb {
     ($name:ident, $storage:ty, $r:literal at $r_place:literal, $g:literal at $g_place:literal, $b:literal at $b_place:literal) => {
         impl $name {
-            /// A colour of its channels, each cut to the bits it has.
+            /// A colour of its channels. Of each channel the low bits count, as many as it has.
             #[inline]
             pub const fn new(r: u8, g: u8, b: u8) -> Self {
                 let (r, g, b) = (r & Self::MAX_R, g & Self::MAX_G, b & Self::MAX_B);

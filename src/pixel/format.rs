@@ -13,7 +13,7 @@ pub trait PixelFormat: 'static {
     /// Below 8 bits: whether the leftmost pixel of a byte has its least significant bits.
     const LSB0: bool = false;
 
-    /// The bits of a colour, below `2^BITS`. From 8 bits on, the least significant byte is the one that is stored first.
+    /// The bits of a colour, below `2^BITS`. Of several bytes, the least significant one is stored first.
     fn pack(color: Self::Color) -> u32;
 
     /// The colour of some bits, below `2^BITS`.
@@ -110,7 +110,8 @@ pub(crate) const fn bytes_per_pixel<F: PixelFormat>() -> usize {
     (F::BITS / 8) as usize
 }
 
-/// Whether there are bits that no colour has: the sixteenth of `Rgb555`, six of `Rgb666`. A picture may hold anything there.
+/// Whether a pixel has bits that belong to no channel, as one of `Rgb555` has one, and one of `Rgb666` six. A picture may hold
+/// anything there.
 #[inline(always)]
 pub(super) fn has_unused_bits<F: PixelFormat>() -> bool {
     let all = u32::MAX >> (32 - F::BITS);

@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-/// `value / from_max` of `to_max`, to nearest.
+/// `value * to_max / from_max`, rounded to nearest.
 #[inline]
 pub(super) const fn rescale(value: u8, from_max: u8, to_max: u8) -> u8 {
     let (value, from, to) = (value as u32, from_max as u32, to_max as u32);
@@ -11,7 +11,7 @@ pub(super) const fn rescale(value: u8, from_max: u8, to_max: u8) -> u8 {
     crate::num::cast::low_u8((2 * value * to + from) / (2 * from))
 }
 
-/// The place of the nearest of at most 256 colours.
+/// The index of the nearest of at most 256 colours.
 pub(super) fn nearest<C: RgbColor>(colors: impl Iterator<Item = C>, wanted: C) -> u8 {
     let square = |a: u8, b: u8| {
         let d = u32::from(a.abs_diff(b));

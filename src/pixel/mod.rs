@@ -1,7 +1,7 @@
 //! One colour to bits.
 //!
 //! A [`PixelFormat`] says how many bits a pixel takes in memory and how a colour becomes those bits. Every
-//! embedded-graphics colour that has raw data is one, stored the usual way; two wrappers name the other way round:
+//! embedded-graphics colour that has raw data is one, stored the usual way; two wrappers store it in the other order:
 //!
 //! | bits | formats | memory |
 //! |---|---|---|
@@ -13,11 +13,10 @@
 //! | 24 | `Rgb666`, `Bgr666`, `Rgb888`, `Bgr888` | little-endian: of `Rgb888` blue comes first; [`Be<C>`](Be) big-endian |
 //! | 32 | [`Xrgb8888`] | little-endian: blue, green, red, unused; [`Be<C>`](Be) big-endian |
 //!
-//! (Vertical pages, eight rows to a byte, are another arrangement of *1-bit* pixels:
-//! [`Paged`](crate::surface::Paged).) A format of your own is a colour type of your own: implement `PixelColor` for it and
-//! conversions from and to its raw data.
+//! This is the order of pixels within a row. Where rows lie is the business of a [`Layout`](crate::Layout): in vertical pages,
+//! [`Pages`](crate::surface::Pages), a byte holds eight rows.
 //!
-//! How runs of pixels are written to memory is told in `rows`.
+//! A format of your own is a colour type of your own: implement `PixelColor` for it, and conversions from and to its raw data.
 
 mod color;
 mod format;

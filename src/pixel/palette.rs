@@ -15,8 +15,8 @@ use crate::{
 
 /// A table of `N` colours that indices are shown through.
 ///
-/// Changing an entry changes every pixel that has its index the next time they are shown, without touching one of them:
-/// that is what palette animation is.
+/// When an entry is changed, every pixel with its index looks different the next time it is shown, and no pixel has to be
+/// written. That is palette animation.
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 /// use embedded_raster::{pixel::EGA, Palette};
@@ -78,11 +78,11 @@ impl<C: Copy, const N: usize> Palette<C, N> {
 }
 
 impl<C: PixelColor, const N: usize> Palette<C, N> {
-    /// Writes the colours of a row of indices as pixels of format `O`: what flushing an indexed framebuffer to a true-colour
-    /// display does all day.
+    /// Writes the colours of a row of indices as pixels of format `O`: to send an indexed framebuffer to a display that has no
+    /// colour table.
     ///
     /// * `indices`: pixels of the format `I`, of at most 8 bits (others do not compile), the first one at the first byte.
-    /// * `out`: the pixels to write. As many are written as both have room for.
+    /// * `out`: the pixels to write. The shorter of the two says how many.
     ///
     /// An index beyond the table is shown as the first colour.
     /// ```
@@ -131,7 +131,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     };
-    // Sixteen pixels to a round; what is left is less than that of pixels or of indices, and a row may end within a byte.
+    // Sixteen pixels to a round. What is left over is shorter, and may end within a byte.
     let (bytes_per_round, size) = (2 * I::BITS as usize, N * per_byte);
     let rounds = if COMPACT { 0 } else { (indices.len() / bytes_per_round).min(out.len() / (16 * N)) };
     let indices = indices.split_at_checked(rounds.wrapping_mul(bytes_per_round));
@@ -144,7 +144,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
                 if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
                     put(places, byte);
                 }
-                // Otherwise all indices would be loaded first, and there are not enough registers.
+                // Without this the compiler loads all indices first, and there are not enough registers for them.
                 if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
                     keep_rolled();
                 }

@@ -6,9 +6,9 @@
 //! at `p >= 0` the minor axis steps and `p += 2 db - 2 da`, else `p += 2 db`.
 //!
 //! With `h = floor(da / 2)` the same is `m(k) = floor((k db + h) / da)`, all below 2^64 for any `i32` ends. Solved for `k`,
-//! `m(k) >= m` from `k = ceil((m da - h) / db)` on: one division a side tells which steps lie in the window, and the
-//! remainder of `(k db + h) / da` is the decision to go on from. No end is ever moved, so the visible pixels are those of
-//! the whole line.
+//! `m(k) >= m` from `k = ceil((m da - h) / db)` on. So one division for each side of the window tells which steps lie in it, and
+//! the remainder of `(k db + h) / da` is the decision to go on from. No end is ever moved, so the visible pixels are those
+//! of the whole line.
 //!
 //! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`; a line that lies in the window
 //! takes none. Images built for size use `search`, which needs neither divisions nor products.
@@ -69,7 +69,7 @@ pub fn extent(a: Point, b: Point) -> Rect {
 #[inline]
 pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
     if COMPACT {
-        // Asked here, where the window may be known.
+        // Tested here, where the compiler may know the window.
         if window.is_empty() {
             return None;
         }
@@ -81,7 +81,7 @@ pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
     }
 }
 
-/// A line that lies in the window as it is.
+/// A line that lies in the window as a whole.
 #[inline(always)]
 fn whole(a: Point, b: Point) -> Steps {
     let up = a.y > b.y;
@@ -95,7 +95,7 @@ fn whole(a: Point, b: Point) -> Steps {
         sideways: minor,
         x_step: if top.x <= bottom.x { 1 } else { -1 },
         steep,
-        // r - da, where r is h, or its complement da - 1 - h if the line was drawn upwards.
+        // r - da, where r is h, or its complement da - 1 - h if the line was drawn upwards: see `clip_far`.
         rest: !(major.wrapping_sub(u32::from(!up)) >> 1),
         minor,
         major,
@@ -141,8 +141,8 @@ fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
     let ((minor_first, rest_first), (minor_last, rest_last)) = (state(first), state(last));
     let left = last.wrapping_sub(first);
     let sideways = minor_last.wrapping_sub(minor_first);
-    // Upwards, the same pixels from their other end. The step back over step k is taken where r < db, which is where the
-    // complement da - 1 - r carries.
+    // A line that was drawn upwards is given from its other end. Going back over step k, it steps aside where r < db. That is
+    // where adding db to the complement da - 1 - r carries.
     let (major, minor, right_down, rest) = if down {
         (first, minor_first, right, rest_first)
     } else {
@@ -161,7 +161,7 @@ fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
     })
 }
 
-/// How far from `from` the positions `low..high` begin and end, walking up or down: `None` if they lie behind.
+/// Distances from `from` to the first and the last of the positions `low..high`, walking up or down. `None` if all lie behind.
 #[inline(always)]
 fn distances(from: i32, up: bool, low: i32, high: i32) -> Option<(u32, u32)> {
     if low >= high {

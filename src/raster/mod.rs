@@ -5,16 +5,16 @@
 //! reads: an edge from `y0` to `y1` crosses the rows with `y0 <= cy < y1`, and of a row the pixels with `x0 <= cx < x1`
 //! are drawn. So shapes that share an edge draw every pixel along it exactly once.
 //!
-//! **Fill rules.** Walking along a row, [`NonZero`](FillRule::NonZero) adds 1 at an edge that goes down and takes 1 at one
-//! that goes up, and draws where the sum is not 0; [`EvenOdd`](FillRule::EvenOdd) draws where the count of edges is odd.
+//! **Fill rules.** Walking along a row, [`NonZero`](crate::FillRule::NonZero) adds 1 at an edge that goes down, subtracts 1 at
+//! one that goes up, and draws where the sum is not 0; [`EvenOdd`](crate::FillRule::EvenOdd) draws where the count of edges is odd.
 //!
 //! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!
 //! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a
-//! [`Sink`](crate::Sink), which receives what lies in the window. In which order is said there, once for all shapes. Work
-//! depends on the window, not on the size of the coordinates, and no coordinate is moved to get there.
+//! [`Sink`](crate::Sink), which receives what lies in the window. The order is the same for all shapes: see there. Work depends
+//! on the window, not on the size of the coordinates, and no coordinate is moved into the window to achieve that.
 //!
-//! Functions named `extent` tell a box that encloses a shape, without drawing it.
+//! Functions named `extent` return a box that encloses a shape, without drawing it.
 
 pub mod flood;
 pub mod line;

@@ -1,21 +1,21 @@
 //! Outlines of paths, one pixel wide.
 //!
-//! Curves become lines as [`flatten`](crate::geom::flatten) tells. Lines that go the same way along the same axis, their longer one,
-//! follow each other in a *run*:
+//! Curves become lines as [`flatten`](crate::geom::flatten) tells. A line is followed along its longer axis. Lines that come one
+//! after the other and go the same way along the same axis are a *run*:
 //! ```text
-//!     +-----+-----+-----+-----+-----+    a run along x, in two lines: where they pass the centre of a column (.), the pixel
-//!     |  .  |  .  |  .  |  .__|-b.  |    in the row where they are. If it starts behind the centre of a column, or ends
-//!     +-----+-----+---__+--'--+-----+    before or on one, the pixel of that end too.
+//!     +-----+-----+-----+-----+-----+    a run along x, of two lines. Where they pass the centre of a column (.), the pixel
+//!     |  .  |  .  |  .  |  .__|-b.  |    of that column is drawn in the row where they are. If the run starts behind the
+//!     +-----+-----+---__+--'--+-----+    centre of its column, or ends before or on one, the pixel of that end is drawn too.
 //!     |  a--+-----+--'  |  .  |  .  |
-//!     +-----+-----+-----+-----+-----+    here: two pixels below, then two above, and that of b
+//!     +-----+-----+-----+-----+-----+    here: two pixels below, then two above, then that of b
 //! ```
-//! So all pixels of an outline touch the next, from run to run too. Where runs meet, a pixel may lie in the corner between the ones
-//! before and after it, which touch: then it is left out, unless the one before it lies in such a corner too. Every pixel has its
-//! centre within 0.75 pixels of the true curve: half a pixel from a line and 0.136 of tolerance; or, at the end of a run,
-//! half the diagonal of a pixel from that end, which is on the curve.
+//! So each pixel of an outline touches the next one, from run to run too. Where runs meet, a pixel may be the corner of an L: the
+//! pixels before and after it touch without it. Then it is left out, unless the pixel before it was such a corner too. Every
+//! pixel has its centre within 0.75 pixels of the true curve: half a pixel from a line and 0.136 of tolerance; or, at the end of
+//! a run, half the diagonal of a pixel from that end, which is on the curve.
 //!
-//! **Work.** Lines that stay 4 pixels outside of the window are not followed, nor are parts of others, so work depends on the
-//! window. What happens there cannot matter, as the rule looks two pixels back and one ahead.
+//! **Work.** Lines, and parts of lines, that are more than 4 pixels outside of the window are not followed, so work depends on
+//! the window. They cannot change a pixel inside, as the rule looks two pixels back and one ahead.
 //!
 //! Range: any `I24F8`.
 
@@ -116,18 +116,18 @@ fn ratio(s: u32, n: u32, d: NonZeroU32, negative: bool) -> (i32, u32) {
     }
 }
 
-/// Pixels in the order of the path, on their way to become spans.
+/// Collects the pixels of an outline, in the order of the path, into spans.
 struct Trace<S> {
     window: Rect,
     sink: S,
-    /// The way of the run: along y, and upwards along its axis. `None` at the start of a contour.
+    /// The direction of the run: whether it goes along y, and whether that coordinate grows. `None` at the start of a contour.
     way: Option<(bool, bool)>,
-    /// The pixel of the run's end, if it counts in case the run ends here.
+    /// The pixel where the run ends so far, if it must be drawn in case that no line of the same direction follows.
     end: Option<(i32, i32)>,
     /// The pixel before the last one.
     before: Option<(i32, i32)>,
     last: Option<(i32, i32)>,
-    /// `before` lies in a corner.
+    /// Whether `before` is the corner of an L.
     bent: bool,
     /// Pixels side by side that are not emitted yet.
     run: Span,
@@ -165,7 +165,7 @@ impl<S: Sink> Trace<S> {
                 self.push(turned(a >> 8, m >> 8));
             }
         }
-        // Without those that nobody can see.
+        // Without columns that are too far outside of the window to matter.
         let (low, high) = (low.saturating_sub(MARGIN), high.saturating_add(MARGIN));
         let step = if up { 1 } else { -1 };
         let (mut at, far) = if up { (first.max(low), last.min(high)) } else { (first.min(high), last.max(low)) };

@@ -34,8 +34,8 @@ pub fn fill(area: Rect, window: Rect, mut sink: impl Sink) {
     }
 }
 
-/// Emits the outline of a rectangle, one pixel wide, as far as it lies in `window`: its top row, between them its left and
-/// right columns, and its bottom row. No two of them share a pixel.
+/// Emits the outline of a rectangle, one pixel wide, as far as it lies in `window`: its top row, its left and right columns
+/// without their ends, and its bottom row. No two of them share a pixel.
 /// ```
 /// use embedded_raster::{raster::rectangle, ClippedSpan, Rect};
 /// let mut spans = vec![];

@@ -1,16 +1,16 @@
 //! [`Slope`]: a side of a shape, as the first pixel right of it on each row.
 //!
 //! An edge from (ax, ay) down to (bx, by), with `dx = bx - ax` and `dy = by - ay > 0` in 24.8 units, crosses the rows whose
-//! centre `cy = 256 y + 128` has `ay <= cy < by`. Of row y it leaves to its right the pixels from
+//! centre `cy = 256 y + 128` has `ay <= cy < by`. On row y, the first pixel whose centre lies at or right of it is
 //! ```text
 //!     k = ceil(N / (256 dy))        N = (ax - 128) dy + (cy - ay) dx
 //! ```
-//! on. Writing `ax + 128 = 256 p + f` and using `ceil(n / d) = floor((n - 1) / d) + 1` and
+//! Writing `ax + 128 = 256 p + f` and using `ceil(n / d) = floor((n - 1) / d) + 1` and
 //! `floor(floor(n / 256) / d) = floor(n / (256 d))`, this is
 //! ```text
 //!     k = p + floor(M / dy)         M = floor((f dy + (cy - ay) dx - 1) / 256)
 //! ```
-//! and one row down M grows by exactly dx: a [`Stepper`] by `dx / dy`.
+//! One row down, M grows by exactly dx, so k is kept by a [`Stepper`] that adds `dx / dy`.
 //!
 //! Range: any `I24F8`. While dx and dy are below 2^16 (a box of 255 pixels) and the crossing rows at most 256, M stays
 //! below 2^25 and set-up is two 32-bit divisions; larger edges multiply in 64 bits and divide with
@@ -32,7 +32,7 @@ use crate::{
 pub(super) struct Slope {
     pub(super) from: (i32, i32),
     to: (i32, i32),
-    /// From the upper end to the lower one, whichever of them it starts at. Modulo 2^32.
+    /// From the upper end to the lower one, whichever of them is `from`. Modulo 2^32.
     pub(super) dx: i32,
     pub(super) dy: NonZeroU32,
 }
@@ -87,8 +87,8 @@ impl Slope {
         (y << 8).wrapping_add(128).wrapping_sub(self.from.1)
     }
 
-    /// (p, M) for sides below 2^19 units. The end that it starts at is a; were it the other one, p would differ and M by as
-    /// many times dy, so that crossing and remainder are the same.
+    /// p and M, for sides below 2^19 units. The end `from` is a, even if it is the lower one. Seen from the other end, p would
+    /// be larger by some n and M smaller by n dy, so that crossing and remainder are the same.
     #[inline(always)]
     pub(super) fn numerator(self, down: i32) -> (i32, i32) {
         let (ax, dx) = (self.from.0, self.dx);
@@ -106,12 +106,12 @@ impl Slope {
         Stepper::new(self.dy, (p.wrapping_add(k), rest), slope)
     }
 
-    /// n / dy, rounded down, and the rest, for quotients from -512 on: those of M, as the crossing lies between the ends, and
-    /// of dx where there is a second row, as dy is above 2^8 then.
+    /// n / dy, rounded down, and the remainder, for quotients of -512 or more. M has such a quotient, as the crossing lies between
+    /// the ends of the side. So has dx where there is a second row, as dy is above 2^8 then.
     #[inline(always)]
     fn ratio(self, n: i32) -> (i32, u32) {
         if !DIVIDES {
-            // Division bit by bit is done sooner with a small number.
+            // A division bit by bit takes less time for a smaller number.
             return floor_div_rem(n, self.dy);
         }
         let n = unsigned(n).wrapping_add(self.dy.get() << 9);
@@ -121,8 +121,8 @@ impl Slope {
     /// Any size, with one product that needs 64 bits: the crossing in units, `x + r / dy`, is found from the end that is
     /// further left, so that nothing is negative.
     ///
-    /// With one unit less in x where r = 0, `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, f
-    /// being the remainder of that division and r - 1 being taken modulo dy.
+    /// If r is 0, x is taken one unit less. Then `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, where
+    /// f is the remainder of the first division and r - 1 is taken modulo dy.
     #[cfg_attr(not(compact), cold)]
     #[inline(never)]
     fn any(from: (i32, i32), to: (i32, i32), height: NonZeroU32, y: i32) -> Stepper {

@@ -1,4 +1,4 @@
-//! What shapes and surfaces share: all that a shape may say, and to whom.
+//! What shapes and surfaces share: what a shape may say, and to whom.
 //!
 //! A shape knows nothing of pixels in memory and a surface nothing of shapes. Between them stands a [`Sink`]: a shape tells
 //! it which pixels it has, as
@@ -7,8 +7,8 @@
 //! - [`Steps`], the pixels of a line one pixel wide, and
 //! - [`Octants`], the outline of a circle.
 //!
-//! A [`Span`] may lie anywhere; clipped once against the window of a surface it becomes a [`ClippedSpan`], whose fields
-//! cannot be set from outside: whoever holds one need not check again.
+//! A [`Span`] may lie anywhere. Clipped once against the window of a surface it becomes a [`ClippedSpan`]. Its fields cannot be
+//! set from outside of the crate, so nobody needs to check it again.
 
 mod octants;
 mod rect;

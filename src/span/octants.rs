@@ -4,18 +4,22 @@
 //!     .  .       3 .
 //!    .             4
 //! ```
-//! In half pixels from the centre, the centres of the outermost pixels of a box of `a + 1` pixels lie on the circle
-//! `u^2 + v^2 = a^2`; u and v are even if a is, odd if a is. The pixel of column u nearest to the curve, the outer one of
-//! two, is the first from outside with `u^2 + (v - 1)^2 <= a^2`. From `v = a` at the middle down to the diagonal, `u <= v`,
-//! it moves inwards by one pixel a column at most: if (u, v) is nearest then
-//! `(u + 2)^2 + (v - 3)^2 <= a^2 + 4 (u - v) + 12`, and u is less than v - 2 unless the diagonal is next.
+//! Distances u and v are measured from the centre of the circle, in half pixels: u to the centre of a column, v to that of a
+//! row. In a box of `a + 1` pixels the curve runs through the centres of the outermost pixels, so it is `u^2 + v^2 = a^2`. All u
+//! and v are even if a is even, and odd if a is odd.
 //!
-//! **The mirror images are all.** By the rule of outlines (see [`ellipse`](crate::raster::ellipse)) the pixel nearest to
-//! the crossing of every column and of every row is drawn. Let (k, v) be that of a column beyond the diagonal, v < k, the
-//! curve crossing the column at y, so that `(v - 1)^2 <= y^2`. On the row v the curve is at x with
-//! `x^2 = k^2 + y^2 - v^2 >= k^2 + 1 - 2 v >= k^2 + 5 - 2 k > (k - 1)^2`: no further in than half a pixel from k. And if x is
-//! beyond k, it is so by no more than y is below or above v, as the curve is steep there. So (k, v) is nearest along the row
-//! too: the mirror image, in the diagonal, of the pixel of column v.
+//! **The steps.** In column u, the pixel nearest to the curve (the outer one of two that are equally near) is the first one from
+//! outside with `u^2 + (v - 1)^2 <= a^2`. The octant goes from the middle, where `v = a`, to the diagonal, where `u = v`. From a
+//! column to the next, the pixel moves inwards by one row at most. For if (u, v) is nearest, then
+//! `(u + 2)^2 + (v - 3)^2 <= a^2 + 4 (u - v) + 12`. Unless the next column is at the diagonal or beyond it, `u < v - 2`, which
+//! is `u <= v - 4`, so the right side is below `a^2`: (u + 2, v - 2) passes the test.
+//!
+//! **The eight parts are the whole outline.** By the rule of outlines (see [`ellipse`](crate::raster::ellipse)) the pixel
+//! nearest to the curve is drawn in every column and in every row. Let (k, v) be that of a column beyond the diagonal, `v < k`.
+//! It has to be shown that it is also the one of its row; then it is the mirror image, in the diagonal, of the pixel of column v.
+//! The curve crosses the column at a height y with `(v - 1)^2 <= y^2`. On row v it is at x, with
+//! `x^2 = k^2 + y^2 - v^2 >= k^2 + 1 - 2 v >= k^2 + 5 - 2 k > (k - 1)^2`: it is not further in than half a pixel from k. If it is
+//! further out than k, then by no more than y differs from v, as the curve is steep there. So (k, v) is nearest along its row.
 //!
 //! Source: J. E. Bresenham, "A linear algorithm for incremental digital display of circular arcs", Communications of the
 //! ACM 20(2), 1977.
@@ -24,15 +28,15 @@ use super::rect::Rect;
 
 /// The outline, one pixel wide, of a circle that lies in the window as a whole.
 ///
-/// It starts at the middle of the top row, in units of half a pixel from the centre, and goes to the diagonal.
+/// It is walked from the middle of the top row to the diagonal. Distances from the centre are in half pixels.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Octants {
     /// First column and first row of the box.
     x0: i32,
     y0: i32,
-    /// Its width and height less one.
+    /// Its width and height, less one.
     extent: i32,
-    /// Twice the distance of the column from the middle, and of the row.
+    /// Distances from the centre: of the column, and of the row.
     u: i32,
     v: i32,
     /// Bresenham's decision: `floor((u^2 + (v - 1)^2 - a^2 - 1) / 4)`, below 0 while the row stays.
@@ -67,7 +71,7 @@ impl Octants {
         (self.u, self.v)
     }
 
-    /// To the next column; whether its pixel is one row further in. `None` if it lies beyond the diagonal.
+    /// Goes to the next column, and says whether its pixel is one row further in. `None` beyond the diagonal.
     #[inline(always)]
     pub(crate) fn next_is_inner(&mut self) -> Option<bool> {
         self.decision = self.decision.wrapping_add(self.u).wrapping_add(1);

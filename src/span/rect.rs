@@ -9,8 +9,8 @@ use crate::num::cast::{saturate, unsigned};
 
 /// Pixels `x0 <= x < x1`, `y0 <= y < y1`; empty when either range is.
 ///
-/// The window of a surface is one: what may be drawn. Unlike [`Rectangle`] it can be as wide as the whole `i32` range
-/// and tells at a glance whether a pixel lies in it.
+/// The window of a surface, what may be drawn, is one. Unlike a [`Rectangle`] it can be as wide as the whole `i32` range, and
+/// four comparisons tell whether a pixel lies in it.
 /// ```
 /// use embedded_raster::Rect;
 /// let a = Rect::new(0, 0, 320, 240);
@@ -148,8 +148,8 @@ impl Rect {
 
     /// Without the `n` outermost rows and columns on each of the four sides; a negative `n` adds as many.
     ///
-    /// Where fewer are left than taken away, the result is empty, and never inside out. What would grow beyond the ends
-    /// of `i32` stops there. An empty rectangle has no pixels to grow from and stays as it is.
+    /// If no column or no row is left, the result is empty; its first column or row is then its end, not beyond it. What would
+    /// grow beyond the ends of `i32` stops there. An empty rectangle has no pixels to grow from and stays as it is.
     /// ```
     /// use embedded_raster::Rect;
     /// let a = Rect::new(0, 0, 10, 6);
@@ -216,17 +216,17 @@ const fn larger(a: i32, b: i32) -> i32 {
     }
 }
 
-/// Both ends of `count` numbers from `start` on; an end that is no `i32` is the nearest one.
+/// Both ends of `count` numbers from `start` on. An end that is outside of `i32` becomes the nearest `i32`.
 const fn from_start(start: i64, count: u32) -> (i32, i32) {
     (saturate(start), saturate(start.wrapping_add(count as i64)))
 }
 
-/// The same of `count` numbers around `center`, the odd one after it.
+/// Both ends of `count` numbers around `center`. If their count is even, one more lies after it than before it.
 const fn around(center: i32, count: u32) -> (i32, i32) {
     from_start((center as i64).wrapping_sub((count.saturating_sub(1) / 2) as i64), count)
 }
 
-/// Both ends of a range, moved towards each other by `n`; where they would pass each other, its middle twice.
+/// Both ends of a range, moved towards each other by `n`. If they would pass each other, both are the middle of the range.
 const fn inset(start: i32, end: i32, n: i32) -> (i32, i32) {
     let (inner_start, inner_end) = (start.saturating_add(n), end.saturating_sub(n));
     if inner_start > inner_end {

@@ -8,11 +8,11 @@ use super::{octants::Octants, rect::Rect, row::ClippedSpan, steps::Steps};
 /// ([`Canvas::paint`](crate::Canvas::paint)). All but [`span`](Self::span) are shortcuts, for sinks that do them faster than
 /// span by span.
 ///
-/// **Order.** Shapes speak from the top down: no call begins on a row above the one on which the call before began, and spans
-/// of one row come from left to right, in every build. Two kinds of shapes follow their own path instead: lines from point to
-/// point, and one pixel wide outlines of paths.
+/// **Order.** Shapes speak from the top down, in every build: each call begins on the row on which the call before it began, or
+/// below. Spans of one row come from left to right. Two kinds of shapes follow their own path instead: lines from point to
+/// point, and outlines of paths, one pixel wide.
 ///
-/// **What is said** lies inside of the window that the shape was given and is not empty. Filled shapes name each pixel once.
+/// **What is said** lies inside of the window that the shape was given, and is not empty. Filled shapes name each pixel once.
 /// ```
 /// use embedded_raster::{raster::rectangle, ClippedSpan, Rect};
 /// let window = Rect::new(0, 0, 64, 48);
@@ -38,8 +38,8 @@ pub trait Sink {
         steps.spans(|span| self.span(span));
     }
 
-    /// The outline of a circle, if the sink can do it as a whole. By default it cannot: `false` makes the shape say the same
-    /// pixels row by row.
+    /// The outline of a circle, if the sink can draw it as a whole. If not, which is the default, it returns `false`, and is given
+    /// the same pixels in spans, row by row.
     #[inline]
     fn octants(&mut self, octants: Octants) -> bool {
         let _ = octants;

@@ -19,7 +19,8 @@ pub struct Steps {
     /// 1 to the right, -1 to the left.
     pub(crate) x_step: i32,
     pub(crate) steep: bool,
-    /// Bresenham's decision: `r - da`, where `r < da` is the remainder of the minor steps made so far.
+    /// Bresenham's decision: `r - major` modulo 2^32, where `r < major` is the remainder of the division that says how many
+    /// minor steps were made so far (see `raster::line`). So adding `minor` carries when the next step is a minor one too.
     pub(crate) rest: u32,
     /// Length along the minor axis of the whole line.
     pub(crate) minor: u32,

@@ -51,8 +51,7 @@ impl Plan {
         }
     }
 
-    /// Calls `f` with each pixel and its source, in an order in which none is a target before it was a source, if both lie in
-    /// the same picture.
+    /// Calls `f` with each pixel and its source. If both lie in the same picture, each pixel is read before it is written.
     #[inline(always)]
     pub(super) fn each_pixel(self, mut f: impl FnMut((i32, i32), (i32, i32))) {
         let Self { to, from, width, height } = self;

@@ -18,7 +18,7 @@ use crate::span::{ClippedSpan, Rect};
 #[derive(Copy, Clone, Debug)]
 pub struct Counter<C> {
     window: Rect,
-    /// Pixels written, each time anew.
+    /// Pixels written. One that is written twice counts twice.
     pub pixels: u64,
     /// Spans written.
     pub spans: u64,

@@ -1,4 +1,4 @@
-//! Drawing on a [`Frame`]: what the layout does, where the window has its pixels.
+//! Drawing on a [`Frame`]: functions of its layout, called with coordinates in memory.
 
 use core::any::TypeId;
 
@@ -88,7 +88,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
         K: Layout<Color = L::Color>,
     {
         let Some(plan) = Plan::new(self.window(), at, picture.window()) else { return };
-        // The same layout on both sides or not: that is known when the program is compiled.
+        // Whether both layouts are the same is known when the program is compiled: only one of the two ways is linked.
         if TypeId::of::<K>() == TypeId::of::<L>() {
             let (from, from_grid) = picture.read();
             let from = (from, from_grid, picture.place(plan.from.x, plan.from.y));

@@ -41,7 +41,7 @@ impl<M: Copy, L> Clone for Frame<M, L> {
     }
 }
 
-/// Its sizes; not the pixels.
+/// Prints the sizes, not the pixels.
 impl<M, L> fmt::Debug for Frame<M, L> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { grid, width, height, window, .. } = self;
@@ -77,8 +77,8 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
         Ok(Self { memory, grid, width, height, window, row: 0, column: 0, layout: PhantomData })
     }
 
-    /// Rows `rows` of a screen of `width` x `height` pixels, drawn in screen coordinates: the way to a picture that is
-    /// larger than the memory. Draw the scene once a band; no pixel differs from drawing it whole.
+    /// A band: the rows `rows` of a screen of `width` x `height` pixels, drawn in the coordinates of the screen. So a picture can
+    /// be larger than the memory: draw the scene once for each band. No pixel differs from drawing it whole.
     /// ```
     /// use embedded_graphics_core::geometry::Point;
     /// use embedded_raster::{Framebuffer, Index8, Surface};
@@ -106,7 +106,7 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
         Ok(Self { memory, grid, width, height, window, row, column: 0, layout: PhantomData })
     }
 
-    /// It, to be read: as a source of blits, for example.
+    /// The same pixels, borrowed to be read: as the source of a blit, for example.
     #[inline]
     pub fn as_bitmap(&self) -> Frame<&[u8], L> {
         self.with_memory(self.memory.as_ref())
@@ -181,20 +181,20 @@ impl<M, L> Frame<M, L> {
         (self.x(span.x0()), self.x(span.x1()))
     }
 
-    /// The same pixels of the same bytes, seen through something else.
+    /// The same frame around another form of the same bytes.
     #[inline(always)]
     fn with_memory<N>(&self, memory: N) -> Frame<N, L> {
         let Self { grid, width, height, window, row, column, layout, .. } = *self;
         Frame { memory, grid, width, height, window, row, column, layout }
     }
 
-    /// It, but restricted to `area`.
+    /// The same frame, restricted to `area`.
     #[inline(always)]
     fn within(self, area: Rect) -> Self {
         Self { window: self.window.intersection(area), ..self }
     }
 
-    /// It, but seen from the corner of `area`, and restricted to that.
+    /// The same frame with (0, 0) at the corner of `area`, and restricted to `area`.
     #[inline]
     fn seen_from(self, area: Rect) -> Self {
         let size = |n: u32| u16::try_from(n).unwrap_or(u16::MAX);
@@ -218,14 +218,14 @@ impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
         (self.memory.as_mut(), self.grid)
     }
 
-    /// It, to be drawn on by somebody else for a while.
+    /// The same pixels, borrowed to be drawn on: to pass a frame on and have it back.
     #[inline]
     pub fn as_mut(&mut self) -> Frame<&mut [u8], L> {
         let Self { grid, width, height, window, row, column, layout, .. } = *self;
         Frame { memory: self.memory.as_mut(), grid, width, height, window, row, column, layout }
     }
 
-    /// Paints everything. Bytes between the rows of a larger stride stay untouched.
+    /// Paints all pixels of the window. Bytes between the rows of a larger stride stay untouched.
     #[inline]
     pub fn clear(&mut self, color: L::Color) {
         if let Some((rows, columns)) = self.places(self.window) {
@@ -248,7 +248,7 @@ impl<M, L> Frame<M, L> {
 impl<L: Layout> Frame<&mut [u8], L> {
     /// The part of it in `area`, as a surface of its own whose (0, 0) is the top left corner of `area`.
     ///
-    /// What lies outside of this surface is clipped; the size is that of `area` all the same, up to 65,535.
+    /// Its size is that of `area`, up to 65,535 each way. Where `area` reaches beyond this surface, pixels are clipped.
     #[must_use]
     pub fn view(&mut self, area: Rect) -> Frame<&mut [u8], L> {
         self.as_mut().seen_from(area)
@@ -277,7 +277,7 @@ impl<L: Layout> Frame<&[u8], L> {
 }
 
 impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
-    /// The bytes of some rows, or of some pages of so many rows.
+    /// The bytes of a range of pages of `page` rows each. Rows are pages of one row.
     pub(super) fn run_of_bytes(&self, range: Range<u16>, page: u16) -> &[u8] {
         let row = |n: u16| i32::from(n).wrapping_mul(page.into());
         // The last page may have fewer rows.

@@ -6,8 +6,9 @@
 //! | [`Pages`](super::Pages) | eight rows to a byte | SSD1306, SH1106 and other small OLEDs |
 //! | [`Planes`](super::Planes) | two planes of one bit | e-paper in black, white and red, or in four greys |
 //!
-//! A layout of your own is [`get`](Layout::get), [`set`](Layout::set) and two sizes; everything that this crate draws works on
-//! it then. The other functions are the same pixels faster: override those that your program spends its time in.
+//! A layout of your own needs its [`row_bytes`](Layout::row_bytes), [`get`](Layout::get) and [`set`](Layout::set); then
+//! everything that this crate draws works on it. The other functions have defaults, which go pixel by pixel: override those
+//! that your program spends its time in.
 
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -27,8 +28,8 @@ pub type Place = (usize, usize);
 
 /// How pixels lie in memory: which bytes a pixel has, and how runs of pixels are written.
 ///
-/// Columns and rows are those in memory, and lie inside of it: a [`Frame`](super::Frame) has clipped what was asked for, and
-/// moved it to where a view or a band has its pixels. Ranges are half-open and not empty.
+/// Columns and rows are counted in memory, and lie inside of it: a [`Frame`](super::Frame) clips coordinates first, and moves
+/// them to where a band or a view lies. Ranges are half-open and not empty.
 ///
 /// A layout has no state; it is a name for functions. What is not overridden goes pixel by pixel.
 /// ```
@@ -60,14 +61,14 @@ pub trait Layout: 'static {
     /// What a pixel holds.
     type Color: PixelColor;
 
-    /// Rows that share bytes: a band starts at a multiple of it.
+    /// How many rows share their bytes. A band starts at a multiple of it.
     const PAGE: u16 = 1;
 
     /// Bytes of a row of `width` pixels, or of [`PAGE`](Self::PAGE) rows that share bytes.
     fn row_bytes(width: u16) -> usize;
 
-    /// Bytes of a screen or a band, from its first to its last; stops at `usize::MAX`. By default the last row takes its
-    /// pixels only, not a whole stride.
+    /// Bytes of a screen or a band, from its first to its last; stops at `usize::MAX`. By default the last row needs the bytes of
+    /// its pixels only, not a whole stride.
     #[inline]
     fn bytes(width: u16, grid: Grid) -> usize {
         match grid.rows.div_ceil(usize::from(Self::PAGE)).checked_sub(1) {
@@ -98,21 +99,23 @@ pub trait Layout: 'static {
         }
     }
 
-    /// Writes one colour along a line whose first pixel lies at `start`, if the layout can do that faster than span by span.
+    /// Writes one colour along a line whose first pixel lies at `start`. `false` if the layout has no faster way than spans; then
+    /// nothing is written.
     #[inline]
     fn fill_steps(memory: &mut [u8], grid: Grid, start: Place, steps: Steps, color: Self::Color) -> bool {
         let _ = (memory, grid, start, steps, color);
         false
     }
 
-    /// Writes one colour along a circle whose box starts at `start`, if the layout can do that faster than span by span.
+    /// Writes one colour along a circle whose box starts at `start`. `false` if the layout has no faster way than spans; then
+    /// nothing is written.
     #[inline]
     fn fill_octants(memory: &mut [u8], grid: Grid, start: Place, octants: Octants, color: Self::Color) -> bool {
         let _ = (memory, grid, start, octants, color);
         false
     }
 
-    /// Writes the pixels `x0..x1` of row y from left to right: the colours that `next` gives, or nothing where it gives `None`.
+    /// Writes the pixels `x0..x1` of row y from left to right. For each, `next` gives a colour, or `None` to leave it as it is.
     #[inline]
     fn write_span(
         memory: &mut [u8],
@@ -128,7 +131,7 @@ pub trait Layout: 'static {
         }
     }
 
-    /// Replaces the pixels `x0..x1` of row y from left to right, each by what `edit` makes of it.
+    /// Replaces the pixels `x0..x1` of row y from left to right: `edit` is given the old colour and returns the new one.
     #[inline]
     fn edit_span(
         memory: &mut [u8],
@@ -159,7 +162,8 @@ pub trait Layout: 'static {
         x
     }
 
-    /// Where the pixels of row y begin that end before `x1`, not before `x0`, and whose colours are all wanted.
+    /// Looks back in row y, from `x1` as far as `x0`, for as long as colours are wanted. Returns the first column of that run;
+    /// `x1` if the pixel before `x1` is not wanted.
     #[inline]
     fn find_start(
         memory: &[u8],
@@ -175,9 +179,9 @@ pub trait Layout: 'static {
         x
     }
 
-    /// Paints pixels straight down from `at`, or up, in the rows `y0..y1`, for as long as they are open and their left and
-    /// right neighbours, which lie in memory, are not; says how many. `None` if the layout cannot do that faster than pixel by
-    /// pixel. This is for flood fills of mazes.
+    /// Paints from `at` straight down, or up, in the rows `y0..y1`. It goes on while the pixel is open and its left and right
+    /// neighbours, which lie in memory, are not. Returns how many pixels were painted, or `None` if the layout has no faster way
+    /// than pixel by pixel. Flood fills of mazes use it.
     #[inline]
     fn fill_corridor(
         memory: &mut [u8],
@@ -192,7 +196,7 @@ pub trait Layout: 'static {
         None
     }
 
-    /// Copies `width` x `height` pixels from one memory to another of the same layout, those of the colour `key` left out.
+    /// Copies `width` x `height` pixels from one memory to another of the same layout, except those of the colour `key`.
     #[inline]
     fn copy(
         (to, to_grid, (to_x, to_y)): (&mut [u8], Grid, Place),
@@ -212,7 +216,7 @@ pub trait Layout: 'static {
         }
     }
 
-    /// Copies `width` x `height` pixels within a memory, those of the colour `key` left out; both areas may overlap.
+    /// Copies `width` x `height` pixels within a memory, except those of the colour `key`. Both areas may overlap.
     #[inline]
     fn move_area(
         memory: &mut [u8],
@@ -222,7 +226,7 @@ pub trait Layout: 'static {
         (width, height): (usize, usize),
         key: Option<Self::Color>,
     ) {
-        // In an order in which no pixel is painted over before it was read.
+        // In an order in which each pixel is read before it is painted over.
         let place = |i: usize, n: usize, backwards: bool| if backwards { n.wrapping_sub(1).wrapping_sub(i) } else { i };
         for i in 0..height {
             let down = place(i, height, to_y > from_y);
@@ -236,8 +240,8 @@ pub trait Layout: 'static {
         }
     }
 
-    /// Writes a row of a picture of one bit per pixel, from left to right in the pixels `x0..x1` of row y: `on` where the next
-    /// bit is set, `off`, or nothing if that is `None`, elsewhere.
+    /// Writes a row of a picture of one bit per pixel to the pixels `x0..x1` of row y, from left to right. A set bit becomes
+    /// `on`. Any other becomes `off`, or leaves the pixel as it is if `off` is `None`.
     ///
     /// `bits` gives eight pixels at a time, the leftmost in bit 31.
     #[inline]

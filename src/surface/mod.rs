@@ -4,7 +4,7 @@
 //! [`Layout`], which says where a pixel is. [`Framebuffer`] is the short name of the usual one, rows of pixels.
 //! [`Readable`] surfaces can be read as well, which flood fills and scrolling need. A [`Counter`] paints nothing and counts.
 //!
-//! A wrapper around a surface is a surface: it sees whatever is drawn on it.
+//! A wrapper around a surface can be a surface too, through which everything goes that is drawn.
 
 mod blit;
 mod counter;

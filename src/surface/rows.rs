@@ -164,7 +164,7 @@ impl<F: PixelFormat> Layout for Rows<F> {
             return None;
         }
         let place = |y: usize, x: usize| start(grid, y).wrapping_add(x.wrapping_mul((F::BITS / 8) as usize));
-        // The memory from the left neighbour in the first row to the right one in the last: beyond it the corridor ends.
+        // From the left neighbour in the first row to the right neighbour in the last. Where this memory ends, the corridor does.
         let (left, right) = (x.wrapping_sub(1), x.wrapping_add(2));
         let (first, at, end) = (place(y0, left), place(y, left), place(y1.wrapping_sub(1), right));
         let rows = memory.get_mut(first..end)?;
@@ -192,8 +192,7 @@ impl<F: PixelFormat> Layout for Rows<F> {
         );
     }
 
-    /// Takes the pixels up in small chunks and puts each down, in an order in which none is painted over before it was taken
-    /// up.
+    /// Copies chunks of pixels by way of the stack, in an order in which each pixel is read before it is painted over.
     #[inline(always)]
     fn move_area(
         memory: &mut [u8],
@@ -242,14 +241,15 @@ impl<F: PixelFormat> Layout for Rows<F> {
 
 /// Bytes as a display wants to be sent them.
 impl<M: AsRef<[u8]>, F: PixelFormat> Frame<M, Rows<F>> {
-    /// Eight pixels of one bit at a time, from a pixel of the window on.
+    /// The pixels of one bit from a pixel of the window on, eight at a time.
     #[inline(always)]
     pub(super) fn bits(&self, x: i32, y: i32) -> Bits<'_> {
         let (memory, grid) = self.read();
         Bits::new::<F>(memory, start(grid, self.y(y)), self.x(x))
     }
 
-    /// The bytes of the pixels in `area`, row by row, widened to whole bytes. What lies outside is left out.
+    /// The bytes of the pixels in `area`, a slice for each row. Where pixels share bytes, a slice begins and ends with whole bytes,
+    /// which may hold pixels beside the area. Rows and columns outside of the window are left out.
     pub fn bytes(&self, area: Rect) -> impl Iterator<Item = &[u8]> {
         let (memory, grid) = self.read();
         let area = self.window().intersection(area);

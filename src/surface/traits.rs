@@ -12,8 +12,9 @@ use crate::{
 /// (see [`eg`](crate::eg)), or a wrapper around any of them.
 ///
 /// It has a *window*, the pixels that it can paint, and paints spans that were clipped against that window. All other methods
-/// are the same pixels faster, and have defaults in terms of [`fill_span`](Self::fill_span): so a wrapper sees every change
-/// when it sees the spans. Shapes are drawn by [`Canvas`](crate::Canvas), which every surface has.
+/// have defaults in terms of [`fill_span`](Self::fill_span); they are there to paint the same pixels faster. So a wrapper that
+/// has no more than the two sees everything that is drawn. Shapes are drawn by [`Canvas`](crate::Canvas), which every surface
+/// has.
 ///
 /// ```
 /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
@@ -64,7 +65,7 @@ pub trait Surface {
     }
 
     /// Paints the outline of a circle that lies in the window as a whole, if it can do that faster than span by span. If not,
-    /// it says `false`, and is given the spans.
+    /// it returns `false`, and is given the same pixels in spans.
     #[inline]
     fn fill_octants(&mut self, octants: Octants, color: Self::Color) -> bool {
         let _ = (octants, color);
@@ -88,7 +89,7 @@ pub trait Surface {
         self.write_some(span, |x| Some(color_at(x)));
     }
 
-    /// [`write_span`](Self::write_span) that leaves the pixels alone for which `color_at` gives `None`.
+    /// [`write_span`](Self::write_span), but a pixel for which `color_at` gives `None` keeps its colour.
     #[inline]
     fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<Self::Color>)
     where
@@ -118,8 +119,8 @@ pub trait Surface {
         });
     }
 
-    /// Paints a picture of one bit per pixel so that its top left pixel falls on `at`: `on` where a bit is set, and `off`
-    /// elsewhere, or nothing if that is `None`. What lies outside is clipped.
+    /// Paints a picture of one bit per pixel so that its top left pixel falls on `at`: a set bit in the colour `on`, any other in
+    /// the colour `off`, or not at all if `off` is `None`. What lies outside is clipped.
     fn copy_mask<M, F>(&mut self, at: Point, mask: &Frame<M, Rows<F>>, on: Self::Color, off: Option<Self::Color>)
     where
         Self: Sized,
@@ -189,7 +190,8 @@ pub trait Readable: Surface {
         x
     }
 
-    /// Where the wanted colours begin with which a span ends; the column after its last if that is not wanted.
+    /// Looks back from the end of a span, for as long as colours are wanted. Returns the first column of that run; the column
+    /// after the span if its last pixel is not wanted.
     #[inline]
     fn find_start(&self, span: ClippedSpan, wanted: impl Fn(Self::Color) -> bool) -> i32
     where
@@ -202,9 +204,9 @@ pub trait Readable: Surface {
         x
     }
 
-    /// Paints straight down or up from a pixel of the window, for as long as the pixels there are open and their left and right
-    /// neighbours are not; returns the row after the last one painted. `None`, by default, if that has to be found out pixel
-    /// by pixel. A shortcut for flood fills of mazes.
+    /// Paints straight down or up from a pixel of the window, while the pixel is open and its left and right neighbours are not.
+    /// Returns the row after the last one painted. `None`, by default, if there is no faster way than pixel by pixel. A shortcut
+    /// for flood fills of mazes.
     #[inline]
     fn fill_corridor(
         &mut self,
@@ -220,8 +222,8 @@ pub trait Readable: Surface {
         None
     }
 
-    /// Copies the pixels of `area` so that its top left one falls on `to`, all but those of the colour `key`; both may overlap.
-    /// What lies outside, before or after, is left out.
+    /// Copies the pixels of `area` so that the top left one falls on `to`, except those of the colour `key`. Both areas may
+    /// overlap. Pixels that lie outside of the window, before or after, are left out.
     fn copy_area(&mut self, area: Rect, to: Point, key: Option<Self::Color>) {
         let Some(plan) = Plan::within(self.window(), area, to) else { return };
         plan.each_pixel(|(to_x, to_y), (from_x, from_y)| {

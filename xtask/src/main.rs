@@ -40,6 +40,8 @@ Documentation:
 
     readme
         make the tables of README.md and docs/*.md anew, each by the command that stands above it
+    tour
+        draw the pictures of src/tour.md, the page of the crate, anew: look at each that changed
 
 CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 ";
@@ -70,6 +72,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
         Some("readme") => alone(args, readme::update),
+        Some("tour") => alone(args, readme::draw_tour),
         Some("check") => alone(args, checks::check),
         Some("full") => alone(args, checks::full),
         Some("probe") => alone(args, proofs::probe),

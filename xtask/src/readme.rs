@@ -28,6 +28,15 @@ pub fn update() -> Result<()> {
     })
 }
 
+/// Draws the pictures of `src/tour.md` anew. A test of the crate does it, as it has the programs that draw them.
+pub fn draw_tour() -> Result<()> {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["test", "--package", "embedded-raster", "--test", "tour"]).current_dir(project()).env("BLESS", "1");
+    let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
+    ensure!(status.success(), "cargo ended with {status}");
+    Ok(())
+}
+
 /// The README and the pages in `docs/`.
 fn pages() -> Result<Vec<PathBuf>> {
     let mut pages = vec![project().join("README.md")];

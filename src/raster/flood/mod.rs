@@ -1,7 +1,7 @@
 //! Flood fill: paints the open pixels that are connected with a seed.
 //!
-//! What is *open* the caller says, by a [`FloodTarget`] that also paints; a painted pixel is not open any more. Pixels are
-//! connected by their sides, or by their corners too: see [`Connectivity`]. Nothing is open outside of the window.
+//! The caller says which pixels are *open*, by a [`FloodTarget`], which also paints. A painted pixel is not open any more. Pixels
+//! are connected by their sides, or by their corners too: see [`Connectivity`]. Nothing is open outside of the window.
 //! ```text
 //!        #########          From the seed's run of open pixels, the rows above and below are searched for runs that
 //!        #...#...#          touch it; these are painted and searched from in turn. Where a run reaches beyond the one
@@ -11,8 +11,8 @@
 //! ```
 //! **Memory.** The table may have any number of slots. A convex region needs one; a picture needs about as many as it has
 //! branches that wait at the same time. When there is no slot left, the pixels of the range at hand are painted along their
-//! walls instead, which needs no memory: see `walk`. That is slower, many times, and the result is the same: nothing that
-//! was already in the picture, not even pixels of the new colour, is mistaken for what has been painted.
+//! walls instead, which needs no memory: see `walk`. That is many times slower, and the result is the same: nothing that was
+//! in the picture before, not even pixels of the new colour, is mistaken for a pixel that was painted.
 //!
 //! **Work.** With enough slots, every pixel of the region is looked at about once, and so is what borders on it above and
 //! below. Along walls, each step looks at eight pixels; a corridor is walked there and back, and each closed loop of
@@ -31,10 +31,10 @@ use crate::span::{Rect, Span};
 
 /// Paints the open pixels that are connected with `seed`; none if the seed is not open or outside.
 ///
-/// Cannot fail, however short the table is: see the module for what it is good for.
+/// Cannot fail, however short the table is; the module says what a longer one buys.
 ///
-/// Returns how many slots it wanted: those that it had in use at once, if they were enough. If not, it is the length of the
-/// table and the number of times that there was none, each of which made it go along walls.
+/// Returns how many slots it wanted. If the table was long enough, that is the most that were in use at once. If not, it is the
+/// length of the table plus the number of times that no slot was left, each of which made it go along walls.
 pub fn fill(target: &mut impl FloodTarget, seed: Point, connectivity: Connectivity, table: &mut [FloodSlot]) -> usize {
     let window = target.window();
     if !window.contains(seed.x, seed.y) || !target.is_open(seed.x, seed.y) {
@@ -85,7 +85,7 @@ impl<F: FloodTarget> Flood<'_, F> {
         }
     }
 
-    /// The columns of a range, those included that it touches by a corner.
+    /// The columns of a range, with those that it touches by a corner if corners connect.
     #[inline(always)]
     fn columns(&self, pending: FloodSlot) -> (i32, i32) {
         let FloodSlot { x0, x1, .. } = pending;
@@ -112,7 +112,7 @@ impl<F: FloodTarget> Flood<'_, F> {
         }
     }
 
-    /// Paints the run of an open pixel. Looks to the left of it only if asked to.
+    /// Paints the run of an open pixel. `back`: it may begin to the left of the pixel.
     #[inline(always)]
     fn paint_run(&mut self, x: i32, y: i32, back: bool) -> (i32, i32) {
         let x0 = if back { self.target.start(y, self.window.x0, x) } else { x };
@@ -146,8 +146,8 @@ impl<F: FloodTarget> Flood<'_, F> {
             if let Some(earlier) = next.replace(FloodSlot { y: y.wrapping_add(down), x0: start, x1: end, down }) {
                 self.put(earlier);
             }
-            // The row that this search came from, left and right of where it came from. The pixels next to that range
-            // are closed: it was a whole run, or lies between painted pixels.
+            // The row that this search came from may be open to the left and to the right of the range that led here. The
+            // pixels next to that range are closed: it was a whole run, or lies between painted pixels.
             let back =
                 FloodSlot { y: y.wrapping_sub(down), x0: start, x1: x0.wrapping_sub(1), down: down.wrapping_neg() };
             if back.x0 < back.x1.saturating_add(corner) && start < x0 {

@@ -17,18 +17,18 @@ pub struct FloodSlot {
     pub(super) y: i32,
     pub(super) x0: i32,
     pub(super) x1: i32,
-    /// From where it was found: -1 from below, 1 from above.
+    /// Where the search came from: 1 from the row above, -1 from the row below.
     pub(super) down: i32,
 }
 
 impl FloodSlot {
-    /// To make a table of. After a fill, the slots that are not empty any more are those that it took.
+    /// An empty slot, to make a table of. After a fill, slots that are not empty any more were used.
     pub const EMPTY: Self = Self { y: 0, x0: 0, x1: 0, down: 0 };
 }
 
 /// Pixels that are open or not, and can be painted: what a flood fill works on.
 ///
-/// Whoever has two colours and a way to read and write a pixel has one:
+/// Whatever can read and paint pixels can be one:
 /// ```
 /// use embedded_graphics_core::geometry::Point;
 /// use embedded_raster::{raster::flood::{fill, Connectivity, FloodSlot, FloodTarget}, ClippedSpan, Rect};
@@ -66,7 +66,8 @@ pub trait FloodTarget {
         self.paint(ClippedSpan::inside(y, x, x.wrapping_add(1)));
     }
 
-    /// The first of the pixels `x0..x1` of a row, all in the window, that is open, or not; `x1` if none is.
+    /// The first of the pixels `x0..x1` of a row that is open, or that is not, as `open` says; `x1` if there is none. All lie in
+    /// the window.
     #[inline]
     fn find(&self, y: i32, x0: i32, x1: i32, open: bool) -> i32 {
         let mut x = x0;
@@ -76,7 +77,8 @@ pub trait FloodTarget {
         x
     }
 
-    /// Where the open pixels begin that end before `x`, looking back as far as `x0`.
+    /// Looks back from `x`, as far as `x0`, for as long as pixels are open. Returns the first pixel of that run; `x` if the pixel
+    /// before it is not open.
     #[inline]
     fn start(&self, y: i32, x0: i32, x: i32) -> i32 {
         let mut start = x;
@@ -89,7 +91,7 @@ pub trait FloodTarget {
     /// Paints straight up or down from `y` on, by `down`, as long as the way is one pixel wide. Returns the row after the
     /// last pixel painted, which may lie outside of the window; `x` and the row before `y` lie inside.
     ///
-    /// What the fill would do too, pixel by pixel, in a third of the time.
+    /// A shortcut: the fill would paint the same pixels one by one, in three times the time.
     #[inline]
     fn corridor(&mut self, x: i32, y: i32, down: i32) -> i32 {
         corridor(self, x, y, down)

@@ -1,7 +1,7 @@
 //! Flood fill without any memory: along the walls.
 //!
-//! A walker keeps a wall on its left. It paints the pixel it stands on and steps off it whenever the pixels around stay
-//! connected without it; then what is left to paint is in one piece, and the walker is in it. At the end one pixel is left.
+//! A walker keeps a wall on its left. Whenever the pixels around it stay connected without the pixel that it stands on, it paints
+//! that pixel and steps off. So what is left to paint stays in one piece, with the walker in it. At the end one pixel is left.
 //!
 //! Whether the pixels around stay connected is seen from the eight neighbours: the *crossing number* is the number of walls
 //! that meet at a pixel, as far as one can see from there. At 1 it may be painted. At 2 it is part of a corridor: without
@@ -11,9 +11,9 @@
 //!   two walls meet here, the pixel is painted, and the loop is open.
 //! - It came from another side: both are the same wall. It goes back, and looks at the next pixel in the same way.
 //! - If neither helps, and the wall was that of an island in the region, the walker leaves it: from the highest pixel
-//!   along it, straight up to the next wall, which reaches higher. The outermost wall always has a pixel to paint: in the
-//!   part of the region behind a pixel that joins two, one that reaches furthest to some side is passed once, between
-//!   two walls at most.
+//!   along it, straight up to the next wall, which reaches higher. The outermost wall always has a pixel to paint. For a pixel
+//!   that joins two parts of the region, take the part behind it: the pixel there that reaches furthest to some side is passed
+//!   once in a lap, and two walls at most meet at it.
 //!
 //! Sources: S. Yokoi, J. Toriwaki, T. Fukumura, "An analysis of topological properties of digitized binary pictures using
 //! local features", Computer Graphics and Image Processing 4, 1975 (the crossing number).

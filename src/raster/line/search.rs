@@ -1,14 +1,14 @@
-//! The same clipping for small images: additions and halvings only, nothing of the runtime library.
+//! The same clipping for builds for size: additions and halvings only, no routine of the runtime library.
 //!
-//! Two walks: from the top of the line until it would leave the window for good, and from its bottom likewise. What both
-//! passed is visible; if they do not meet, nothing is.
+//! Two walks find the ends of the visible part. One goes from the top of the line to the last pixel in the window, the other
+//! from the bottom to the first. What both have passed is visible. If they do not meet, no pixel is.
 //!
-//! Neither walk goes pixel by pixel. A jump by `n` steps makes `n db = m da + q` minor steps, `0 <= q < da`. The first is
-//! the whole line: `n = da`, `m = db`, `q = 0`. A jump is made as often as there is room, then halved: of an odd `n` one
-//! step is taken off before, and of an odd `m` the half goes to `q`. After a miss there is room for less than `n` steps,
-//! so for at most two halves, and a walk takes 96 tries or fewer.
+//! Neither walk goes pixel by pixel. A jump by `n` major steps makes m minor steps and leaves q for the remainder:
+//! `n db = m da + q`, `0 <= q < da`. The first jump is the whole line: `n = da`, `m = db`, `q = 0`. A jump is made as often as
+//! there is room, then it is halved. Before an odd `n` is halved, one step is taken off; the half of an odd `m` goes into `q`.
+//! After a miss there is room for less than `n` steps, so for at most two halves, and a walk takes 96 tries or fewer.
 //!
-//! The functions are small and are not inlined: on the smallest cores registers, not instructions, are what is short.
+//! The functions are small and are not inlined, as the smallest cores are short of registers, not of instructions.
 
 use core::ptr;
 
@@ -41,7 +41,7 @@ pub(super) fn clip(columns: &[i32; 4], rows: &[i32; 4]) -> Option<Steps> {
         sideways,
         minor,
         major,
-        // Turned round, the step back over a step is taken where r < db, which is where da - 1 - r carries.
+        // From the other end: going back over a step, the line steps aside where r < db. That is where da - 1 - r carries.
         rest: !rest.wrapping_add(major),
         first: (x.first() ^ x.turned, y.first()),
         x_step: x.turned | 1,
@@ -49,7 +49,7 @@ pub(super) fn clip(columns: &[i32; 4], rows: &[i32; 4]) -> Option<Steps> {
     })
 }
 
-/// The major axis first. A call, or all that follows would be there twice.
+/// The major axis first. Not inlined, or the compiler would make two copies of all that follows.
 #[inline(never)]
 fn order<'a>(x: &'a mut Axis, y: &'a mut Axis) -> (&'a mut Axis, &'a mut Axis) {
     if y.length > x.length {
@@ -59,9 +59,9 @@ fn order<'a>(x: &'a mut Axis, y: &'a mut Axis) -> (&'a mut Axis, &'a mut Axis) {
     }
 }
 
-/// Walks as far as there is room; the next walk is the one back. Returns r - da at its end.
+/// Walks as far as there is room, and prepares the walk from the other end. Returns r - da at its end.
 ///
-/// `forth` is 1 in the direction in which the line was drawn, against it 0.
+/// `forth` is 1 in the direction in which the line was drawn, 0 against it.
 #[inline(never)]
 fn follow(along: &mut Axis, aside: &mut Axis, forth: u32) -> u32 {
     let (major, minor) = (along.length, aside.length);
@@ -99,8 +99,9 @@ fn follow(along: &mut Axis, aside: &mut Axis, forth: u32) -> u32 {
     rest
 }
 
-/// Columns or rows, turned so that the line counts up: all bits of a coordinate change if it does not.
+/// Columns or rows, counted so that they grow along the line. If they do not, all bits of each are inverted.
 struct Axis {
+    /// -1 if all bits are inverted, else 0.
     turned: i32,
     length: u32,
     /// The first and the last position in the window, on the line.
@@ -108,7 +109,7 @@ struct Axis {
     end: i32,
     /// Steps that can still be made without leaving the window.
     room: u32,
-    /// The same for the walk back.
+    /// The same for the walk from the other end.
     other_room: u32,
 }
 
@@ -117,7 +118,7 @@ impl Axis {
     #[inline(never)]
     fn new(&[a, b, low, high]: &[i32; 4], up: u32) -> Self {
         let (mut from, mut to, mut low, mut last) = (a, b, low, high.wrapping_sub(1));
-        // Kept as two branches: made conditional, each assignment would cost both ways.
+        // Kept as two branches: as conditional moves, the assignments would cost time in either case.
         if up != 0 {
             (from, to) = (b, a);
             keep_rolled();
@@ -132,7 +133,7 @@ impl Axis {
         Self { turned, length: steps(from, to), start, end, room: steps(from, end), other_room: steps(start, to) }
     }
 
-    /// Ends a walk, which has left `room` unused.
+    /// Ends a walk that has left `room` unused, and turns to the walk from the other end.
     #[inline(always)]
     fn turn(&mut self, room: u32) {
         self.room = self.other_room;
@@ -151,7 +152,7 @@ impl Axis {
         unsigned(self.last().wrapping_sub(self.first()))
     }
 
-    /// Where the walk back ended.
+    /// Where the second walk, from the other end, ended.
     #[inline(always)]
     fn first(&self) -> i32 {
         self.start.wrapping_add(signed(self.other_room))

@@ -16,14 +16,15 @@ pub(super) const END: u16 = u16::MAX;
 pub struct EdgeSlot {
     /// `value` is the first pixel right of the edge on the row it stands on.
     pub(super) crossing: Cell<Stepper>,
-    /// The first row it crosses, then [`ACTIVE`].
+    /// The first row that it crosses; once that row is reached, [`ACTIVE`].
     pub(super) y: Cell<i32>,
-    /// Four times the row after its last, and in the two lowest bits the winding: 1 down, -1 up. Rows of places are below
-    /// 2^24.
+    /// Four times the row after its last one, and in the two lowest bits the winding: 1 down, -1 up. It fits, as rows of places
+    /// are below 2^24.
     end: i32,
     /// The next edge of a list.
     pub(super) link: Cell<u16>,
-    /// The first edge of a bucket, for sorting: slot k stands for bucket k too, whatever edge it holds.
+    /// The first edge in bucket k, where k is the number of this slot: buckets sort the edges by their first row. It has nothing
+    /// to do with the edge that this slot holds.
     pub(super) bucket: Cell<u16>,
 }
 
@@ -48,12 +49,12 @@ impl EdgeSlot {
         bucket: Cell::new(0),
     };
 
-    /// Puts the side from a to b into this slot, as it stands on the first of the rows `y..end`, which it crosses; `down` if
-    /// that is where b lies.
+    /// Puts the side from a to b into this slot, with its crossing of row y. It crosses the rows `y..end`; `down` if b lies below
+    /// a.
     #[inline(always)]
     pub(super) fn put(&mut self, a: PointFx, b: PointFx, (y, end): (i32, i32), down: bool) {
         let Some(slope) = Slope::either_way(bits(a), bits(b), down) else { return };
-        // Two stores: of one, the smaller side's numbers would go by way of the stack.
+        // A store in each branch: with one store after both, the numbers of a small side would go by way of the stack.
         if slope.is_small() {
             self.crossing.set(slope.small_at(y, end.wrapping_sub(y)));
         } else {

@@ -1,7 +1,8 @@
 //! Lists of edges: places in a table, joined by [`EdgeSlot::link`]. Edges are linked anew, never moved.
 //!
 //! The order is by row, then by crossing. Sorting is a merge of natural runs: `n log n` at the worst, and one look at each
-//! edge where there is nothing to do. A list is made at its end, which is a link: the first one or that of an edge.
+//! edge where there is nothing to do. Putting an edge into a list is changing a link: the one to the first edge, or that of the
+//! edge before.
 //!
 //! Source: D. E. Knuth, "The Art of Computer Programming" 3, section 5.2.4, algorithm L and exercise 12.
 
@@ -10,7 +11,7 @@ use core::{cell::Cell, mem::replace};
 use super::edge::{EdgeSlot, END};
 use crate::tune::COMPACT;
 
-/// Sorting merges runs in pairs, pairs in pairs of pairs: enough levels for 2^16.
+/// Sorting merges runs in pairs, what comes out in pairs again, and so on. These levels are enough for 2^16 runs.
 const LEVELS: usize = 17;
 
 /// The edge at a place; `None` at the end of a list.
@@ -57,7 +58,8 @@ pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
     levels.into_iter().filter(|&level| COMPACT || level != END).fold(END, |list, level| merge(table, level, list))
 }
 
-/// Cuts the edges that go up or that go down from the front of a list: the run, sorted, and the rest.
+/// Cuts a run off the front of a list: as many edges as each belong behind all the edges before them, or in front of all. Returns
+/// the run, sorted, and the rest.
 #[inline(always)]
 fn take_run(table: &[EdgeSlot], list: u16) -> (u16, u16) {
     let Some(mut last) = get(table, list) else { return (END, END) };

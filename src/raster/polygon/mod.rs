@@ -1,7 +1,7 @@
 //! Filled polygons: any number of contours, concave, with holes, crossing themselves.
 //!
 //! The scan-line algorithm: the sides *wait*, sorted by their first row; on each row those that cross it are *active*,
-//! sorted by where; between them the fill rule says what is inside. Crossings move by quotient and remainder
+//! sorted by where they cross it; between them the fill rule says what is inside. Crossings move by quotient and remainder
 //! ([`EdgeSlot`]), so they are exact on every row. Both orders are lists through the slots of the table: an edge that joins,
 //! ends or is overtaken is linked anew, and none is ever moved.
 //! ```text
@@ -10,11 +10,11 @@
 //!                           |      |    |      |
 //!   row                 ....[======]....[======]....
 //! ```
-//! The table is the caller's. When the sides that cross a band of rows are more than it holds, the fill goes on with fewer rows,
-//! in proportion; only when a single row alone overflows it the call fails, and it finds that out before it emits a span.
+//! The table is the caller's. When more sides cross the window than it holds, the fill takes fewer rows at a time, in proportion.
+//! It fails only when a single row has too many sides, and it finds that out before it emits a span.
 //!
 //! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
-//! their first rows are spread evenly; per row the active sides, and `k log k` for k of them that were overtaken.
+//! their first rows are spread evenly; on each row the active sides, and `k log k` for the k of them that crossed another one.
 //!
 //! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
 
@@ -88,7 +88,7 @@ where
         scan(table, &whole, rule, window, &mut sink);
         return Ok(());
     }
-    // Too many for one pass. First try all the bands, then paint them.
+    // Too many for one pass. First find out whether every band can be loaded, then paint them.
     for paint in [false, true] {
         let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
         let mut count = whole.count;
@@ -137,7 +137,7 @@ where
     Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
 }
 
-/// How many rows may have 3/4 of `capacity` sides, when `rows` have `count`.
+/// How many rows to expect with sides for 3/4 of `capacity`, when `rows` rows have `count` sides.
 fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
     let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
     let Some(count) = NonZeroU32::new(count) else { return rows };
@@ -260,8 +260,8 @@ impl Waiting {
 
 /// Paints the band whose sides were loaded.
 ///
-/// While only two edges are active, down to where one ends or another joins, a round of the outer loop is many rows: what
-/// two edges of closed contours enclose is inside by either rule, as one goes up and one goes down.
+/// While only two edges are active, a round of the outer loop takes many rows, down to where one of them ends or another joins.
+/// What two edges of closed contours enclose is inside by either rule, as one goes up and the other down.
 fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink: &mut impl Sink) {
     let Some(table) = table.get(..loaded.count) else { return };
     let mut waiting = Waiting::new(table, loaded);

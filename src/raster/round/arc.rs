@@ -1,4 +1,4 @@
-//! Arcs, sectors and rings: what of an ellipse lies between two directions, or outside of another.
+//! Arcs, sectors and rings: the part of an ellipse that lies between two directions, or outside of another ellipse.
 //!
 //! A [`Sector`] goes clockwise from one [`Angle`] to another. Each angle stands for the direction vector
 //! `d = (cos, sin)` that [`Angle::cos_sin`] gives in whole numbers, and a pixel belongs to the sector when its centre
@@ -14,7 +14,7 @@
 //! - A filled **sector** has the pixels of the filled ellipse that do.
 //! - A **ring** has the pixels of an ellipse that are not pixels of another one.
 //!
-//! On a row a direction changes at most once from after to before: the place is found by bisection.
+//! Along a row, pixels change sides of a direction at most once. Bisection finds where.
 //!
 //! Range: any ellipse, any angles.
 
@@ -29,7 +29,7 @@ use crate::{
     span::{ClippedSpan, Rect, Sink, Span},
 };
 
-/// The directions from one angle on, clockwise, to before another.
+/// The directions clockwise from one angle up to another, without that.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Sector {
     from: (i32, i32),
@@ -40,7 +40,7 @@ pub struct Sector {
 }
 
 impl Sector {
-    /// From `start` on, before `end`, clockwise. From an angle to itself is nothing.
+    /// Clockwise from `start` up to `end`, without `end`. From an angle to itself there is nothing.
     /// ```
     /// use embedded_raster::{geom::Angle, raster::arc::Sector};
     /// let lower_right = Sector::new(Angle::degrees(0), Angle::degrees(90));
@@ -58,7 +58,7 @@ impl Sector {
     }
 }
 
-/// Less than half a turn after a direction, or in it.
+/// Whether (u, v) lies in a direction, or clockwise from it by less than half a turn.
 fn is_after((x, y): (i32, i32), u: i64, v: i64) -> bool {
     let (x, y) = (i64::from(x), i64::from(y));
     // The centre counts as (1, 0) and a little below.
@@ -89,7 +89,8 @@ pub fn fill(ellipse: Ellipse, sector: Sector, window: Rect, mut sink: impl Sink)
 
 /// Emits the spans of the pixels of `outer` that are not pixels of `inner`, top row first.
 ///
-/// With the same centre that is a ring of even width; it and the inner ellipse together are the outer one.
+/// If both have the same centre, this is a ring. If `inner` lies inside of `outer`, the ring and `inner` together draw each pixel
+/// of `outer` once.
 /// ```
 /// use embedded_raster::{raster::arc, ClippedSpan, Ellipse, Rect};
 /// let (outer, inner) = (Rect::new(0, 0, 7, 7), Rect::new(2, 2, 5, 5));
@@ -132,7 +133,7 @@ fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink
     let v = curve.v(y);
     let change = |direction: (i32, i32)| {
         let at_start = is_after(direction, curve.u(x0), v);
-        // The first pixel that is not like the first one.
+        // The first pixel that lies on the other side of the direction than pixel x0.
         let (mut low, mut high) = (x0, x1);
         while low < high {
             let middle = low.wrapping_add(span_half(low, high));
@@ -144,7 +145,7 @@ fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink
         }
         low
     };
-    // In most spans nothing changes: the last pixel tells.
+    // In most spans nothing changes: then the last pixel is on the side of the first.
     let last = x1.wrapping_sub(1);
     let same = |d| is_after(d, curve.u(x0), v) == is_after(d, curve.u(last), v);
     let place = |d| if same(d) { x1 } else { change(d) };
@@ -161,7 +162,7 @@ fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink
     }
 }
 
-/// Half the way between two pixels, below it by no more than a half.
+/// Half of the distance between two pixels, rounded down.
 fn span_half(low: i32, high: i32) -> i32 {
     signed(unsigned(high.wrapping_sub(low)) >> 1)
 }

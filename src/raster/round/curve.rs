@@ -10,12 +10,12 @@ use crate::{
 
 /// An ellipse with axes along x and y, as the pixels that it fills.
 ///
-/// Two ways to give one, with two answers for centres that lie on the curve: see [`ellipse`](super::ellipse).
+/// There are two ways to give one. They differ for centres of pixels exactly on the curve: see [`ellipse`](super::ellipse).
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Ellipse {
     /// Nothing is drawn outside of it.
     extent: Rect,
-    /// Nothing if it touches the sides of its extent: then the curve itself is inside.
+    /// `None` if the curve touches the sides of the extent; then centres on the curve are inside.
     curve: Option<Curve>,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Curve {
     /// Semi-axes in these units.
     pub(super) radii: (i64, i64),
     pub(super) shift: u32,
-    /// Whether the curve itself is inside: the box of `closed` curves is symmetric, and the shift is 1.
+    /// Whether centres on the curve are inside. Then the ellipse was given by its box, and the shift is 1.
     pub(super) closed: bool,
 }
 
@@ -68,7 +68,7 @@ impl Ellipse {
         let extent = if radii.0 <= 0 || radii.1 <= 0 {
             Rect::new(0, 0, 0, 0)
         } else {
-            // The one row below may hold centres on the lowest place of the curve, which are outside.
+            // The row after the last may have its centres at the lowest place of the curve, which counts as outside.
             let (x, y) = (centre.0, centre.1);
             let (low, high) = (i64::wrapping_sub, i64::wrapping_add);
             Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
@@ -76,7 +76,7 @@ impl Ellipse {
         Self { extent, curve: Some(Curve { centre, radii, shift, closed: false }) }
     }
 
-    /// Its curve, made of the extent if need be.
+    /// Its curve. That of an ellipse in a box is made of the box.
     #[inline(always)]
     pub(super) fn curve(&self) -> Curve {
         self.curve.unwrap_or_else(|| {
@@ -146,7 +146,7 @@ fn first_pixel_from(place: i64, shift: u32) -> i32 {
     saturate(place.wrapping_sub(half).wrapping_add(most).wrapping_shr(shift))
 }
 
-/// What the form of an ellipse is followed in.
+/// The numbers that an ellipse is drawn with: 32, 64 or 128 bits.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub(super) enum Size {
     Small,
@@ -154,7 +154,7 @@ pub(super) enum Size {
     Large,
 }
 
-/// The bounds are those of `Form::value` and of the steps, two steps outside of the curve.
+/// Within these bounds `Form::value` and its steps fit, up to two steps outside of the curve.
 #[inline(always)]
 pub(super) fn size_of((a, b): (i64, i64), shift: u32) -> Size {
     let small = if a == b {
@@ -172,7 +172,7 @@ pub(super) fn size_of((a, b): (i64, i64), shift: u32) -> Size {
     }
 }
 
-/// A circle in a box whose `2 a^2` fits 31 bits.
+/// Whether the ellipse in a box is a circle whose `2 a^2` fits 31 bits.
 #[inline(always)]
 pub(super) fn is_small_circle(area: Rect) -> bool {
     area.width() == area.height() && area.width() <= 1 << 15

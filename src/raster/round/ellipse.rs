@@ -23,9 +23,9 @@
 //! that it encloses: what to fill before an outline of another colour is drawn over it.
 //!
 //! Columns and rows are two independent sweeps; each decides by the sign of `E = b^2 u^2 + a^2 v^2 - a^2 b^2`, here at the
-//! midpoint between two pixels. There is no switch from one region to another, which is what breaks thin ellipses. Row by
-//! row the number of pixels inside of the curve grows by as many as are visible and become so, and shrinks again: additions
-//! and comparisons, as many as there are visible rows and columns.
+//! midpoint between two pixels. There is no switch from one region to another, which is what breaks thin ellipses. From row to
+//! row the number of visible pixels inside of the curve grows, and later shrinks. Each pixel more or less is an addition and a
+//! comparison, so there are as many of these as visible rows and columns.
 //!
 //! Range: any box, any centre and radii. Circles up to a diameter of 32,768 pixels by their box or 256 by their radius, and
 //! ellipses up to 300 x 300, are followed in 32 bits, up to 65,536 (1,022 by radius) in 64, all others in 128.

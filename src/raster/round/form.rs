@@ -12,7 +12,7 @@ use crate::{
     tune::COMPACT,
 };
 
-/// Numbers that the form is followed in. All that is stored fits; what is cut off on the way cancels out.
+/// Numbers that the form is computed in. Results that are stored fit. On the way to them numbers may wrap, which cancels out.
 pub(super) trait Number:
     Copy
     + Default
@@ -58,7 +58,7 @@ impl Number for Wrapping<i128> {
         Self(n.into())
     }
 
-    // Of 32-bit words it takes 250 bytes.
+    // Not inlined: in 32-bit words it takes 250 bytes.
     #[inline(never)]
     fn times(self, other: Self) -> Self {
         self * other
@@ -67,8 +67,8 @@ impl Number for Wrapping<i128> {
 
 /// `E(u, v) = p u^2 + q v^2 - p a^2`, which is negative inside, in steps of `2^shift` units along both axes.
 ///
-/// A step changes E by a multiple of `2^(shift + 1)`, so that of `F = floor((E - bias) / 2^(shift + 1))` everything is
-/// known that decides: with bias 1, F < 0 means inside or on the curve; with bias 0, inside.
+/// A step changes E by a multiple of `2^(shift + 1)`. So it is enough to follow `F = floor((E - bias) / 2^(shift + 1))`. With
+/// bias 1, `F < 0` means inside or on the curve; with bias 0, it means inside.
 #[derive(Copy, Clone)]
 pub(super) struct Form<T> {
     p: T,
@@ -78,7 +78,7 @@ pub(super) struct Form<T> {
 }
 
 impl<T: Number> Form<T> {
-    /// With semi-axes a and b. A circle divides by a^2: then p = q = 1.
+    /// With semi-axes a and b. For a circle all is divided by a^2, so that p = q = 1.
     #[inline(always)]
     pub(super) fn new((a, b): (i64, i64), shift: u32) -> Self {
         let square = |n: i64| T::of(n).times(T::of(n));
@@ -87,7 +87,7 @@ impl<T: Number> Form<T> {
         Self { p, q, aa, shift }
     }
 
-    /// F. No product of the whole E is made, which would need two bits more than there are.
+    /// F, found without computing E as a whole, which would need two bits more than there are.
     #[inline(always)]
     pub(super) fn value(&self, u: i64, v: i64, bias: i64) -> T {
         let (u, v) = (T::of(u), T::of(v));
@@ -98,14 +98,14 @@ impl<T: Number> Form<T> {
         self.p.times(uu >> k) + self.q.times(vv >> k) + (rest >> k)
     }
 
-    /// What F gains from u to the next, and from v to the next.
+    /// What F gains by a step along u, and by one along v.
     #[inline(always)]
     fn steps(&self, u: i64, v: i64) -> (T, T) {
         let half = 1_i64.wrapping_shl(self.shift) >> 1;
         (self.p.times(T::of(u.wrapping_add(half))), self.q.times(T::of(v.wrapping_add(half))))
     }
 
-    /// What these gains themselves gain.
+    /// What these two gains gain by each step.
     #[inline(always)]
     fn second(&self) -> (T, T) {
         let unit = T::of(1_i64.wrapping_shl(self.shift));
@@ -121,12 +121,12 @@ struct Side<T> {
     /// What it gains to the pixel after that.
     step: T,
     count: u32,
-    /// Beyond it nothing is visible.
+    /// No more are counted: pixels further out are not visible.
     max: u32,
 }
 
 impl<T: Number> Side<T> {
-    /// Counts on or back until the first pixel that is not counted is the first one outside.
+    /// Counts on, or back, until the first pixel that is not counted is the first one outside.
     #[inline(always)]
     fn settle(&mut self, second: T) {
         while self.f < T::default() && self.count < self.max {
@@ -146,7 +146,7 @@ impl<T: Number> Side<T> {
     }
 }
 
-/// The form on some row, followed downwards at one distance from the centre that moves.
+/// Counts the pixels inside on one side of the centre, from row to row downwards.
 #[derive(Copy, Clone)]
 pub(super) struct Follower<T> {
     side: Side<T>,
@@ -178,7 +178,7 @@ impl<T: Number> Follower<T> {
 pub(super) struct Rows<T> {
     right: Follower<T>,
     left: Follower<T>,
-    /// Where the sides start to count: the right one from a pixel on, the left one from the pixel before.
+    /// Where both sides start to count: the right one at this pixel, the left one at the pixel before it.
     from: i32,
     /// The sum of both ends of a symmetric row.
     mirror: Option<i32>,
@@ -191,7 +191,7 @@ impl<T: Number> Rows<T> {
         let form = Form::new(curve.radii, curve.shift);
         let v = curve.v(clip.y0);
         if curve.closed {
-            // The box is symmetric: one side, for all distances from the middle that are visible on either side.
+            // The box is symmetric, so one side is enough. It counts the distances that are visible on either side.
             let (from, max) = mirrored(curve, clip);
             let right = Follower::new(&form, (curve.u(from), v), 1, max);
             let sum = narrow(curve.centre.0);
@@ -250,7 +250,7 @@ impl AnyRows {
         }
     }
 
-    /// First pixel and the one after the last of this row, right where they are visible; goes to the next row.
+    /// First pixel and the one after the last of this row, right if they are visible. Goes to the next row.
     #[inline(never)]
     pub(super) fn row(&mut self) -> (i32, i32) {
         match self {

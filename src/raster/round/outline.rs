@@ -32,8 +32,8 @@ pub fn outline(area: Rect, window: Rect, mut sink: impl Sink) {
 
 /// Emits the spans of the outline of the ellipse in a box and of all that it encloses, top row first.
 ///
-/// These are the pixels to fill before an outline is drawn over them in another colour: those of [`fill`](super::ellipse::fill)
-/// are decided by a curve half a pixel larger, and some of them may lie outside of the outline.
+/// Fill these before an outline is drawn over them in another colour. [`fill`](super::ellipse::fill) has a curve that is half a
+/// pixel larger, so some of its pixels may lie outside of the outline.
 #[inline]
 pub fn enclosed(area: Rect, window: Rect, sink: impl Sink) {
     draw::<true>(area, window, sink);
@@ -101,7 +101,7 @@ pub(super) struct Border<T> {
 }
 
 impl<T: Number> Border<T> {
-    /// From the column at distance u on row v, for `count` columns. `outer`: there is another one beyond the last.
+    /// From the column at distance u on row v, for `count` columns. `outer`: the ellipse has a column beyond the last of them.
     #[inline(always)]
     pub(super) fn new(radii: (i64, i64), (u, v): (i64, i64), count: u32, outer: bool) -> Self {
         let form = Form::<T>::new(radii, 1);

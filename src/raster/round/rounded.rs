@@ -12,8 +12,8 @@
 //!    ###########      #.........#
 //!    .##########      .##########
 //! ```
-//! A radius of 0 or 1 is a corner of one pixel. *A radius is at most half of the shorter side*, rounded down: a larger one
-//! counts as that, by itself, whatever the others are.
+//! A corner with a radius of 0 or 1 is square. *A radius is at most half of the shorter side*, rounded down; a larger one counts
+//! as that. Each radius is limited by itself, whatever the others are.
 //!
 //! Range: any box, any radii. Work: additions, as many as there are visible rows, and visible columns in the corners.
 
@@ -106,7 +106,7 @@ pub fn fill(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
     }
 }
 
-/// Both halves of a disc, and what is between them: in a function of its own, with registers of its own.
+/// Both halves of a disc, and the rows between them. Not inlined, so that it has all registers to itself.
 #[inline(never)]
 fn fill_corners(corners: &Disc, middle: Rect, mut sink: impl Sink) {
     let mut corners = *corners;
@@ -150,7 +150,7 @@ fn draw_large<const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, middle:
     draw_by::<Wrapping<i128>, OUTLINE>(area, radii, clip, middle, sink);
 }
 
-/// The rows of `clip`; those of `middle`, which may be empty, at once.
+/// Emits the rows of `clip`. Those of `middle`, which may be empty, are emitted as one area.
 #[inline(always)]
 fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, middle: Rect, mut sink: impl Sink) {
     // Columns as distances from the left and from the right side.
@@ -185,7 +185,7 @@ fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect,
     }
 }
 
-/// The left or the right side, by distances from it: two corners, and what is straight between them.
+/// The left or the right border: two corners, and straight rows between them. Columns are distances from that side of the box.
 struct Flank<T, const OUTLINE: bool> {
     corners: [Corner<T>; 2],
     /// Rows left in the upper corner, between the corners, and in the lower one.
@@ -238,10 +238,10 @@ enum Corner<T> {
 }
 
 impl<T: Number> Corner<T> {
-    /// From the row at distance v from the centre, in half pixels, for the columns from the side that are visible.
+    /// From the row at distance v from the centre, in half pixels. The columns `x0..x1`, counted from the side, are visible.
     #[inline(always)]
     fn new<const OUTLINE: bool>(radius: u32, v: i64, (x0, x1): (u32, u32)) -> Self {
-        // Counted from the column next to the centre outwards: the last visible one from the side comes first.
+        // Columns of a corner are counted from the centre of its circle outwards. `first` is the innermost visible one.
         let first = radius.saturating_sub(x1);
         let count = radius.saturating_sub(x0).saturating_sub(first);
         let u = 2 * i64::from(first) + 1;

@@ -7,13 +7,14 @@
 //!      |<phase>|                        =    the pattern starts `phase` before the contour does
 //! ```
 //! **The rule.** The pattern runs along each contour from its start, in units of 2^-16 pixel: a side is as long as
-//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super::stroke). The place at a distance s from the start of a side with the
-//! direction u is `a + u s`, rounded to the nearest unit; between two such places, or the ends of the side, a dash is a side of
-//! the same direction. A pattern of odd length counts twice, its second time with on and off exchanged. Negative lengths count as 0. A
-//! pattern shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a dot for round caps, and a square for square ones.
+//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super). The place at a distance s from the start of a side with the
+//! direction u is `a + u s`, rounded to the nearest unit. Between two such places, or the ends of the side, a dash is a side of
+//! the same direction. A pattern with an odd number of lengths counts twice, the second time with on and off exchanged. Negative
+//! lengths count as 0. A pattern that is shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a
+//! dot with round caps, and a square with square ones.
 //!
-//! **Work.** Dashes beside the window are skipped by the period, but every side of the path is measured; curves have at most
-//! 32,768.
+//! **Work.** Where a side is far from the window, whole periods are skipped at once. But every side of the path is measured, and a
+//! curve may have 32,768 of them.
 
 use core::num::NonZeroU32;
 
@@ -76,7 +77,7 @@ impl Cut for Dash<'_> {
 #[derive(Copy, Clone, Debug)]
 struct Pattern<'a> {
     lengths: &'a [I24F8],
-    /// With those of the second time, if there is one.
+    /// Lengths in a period: twice as many as there are in `lengths` if that number is odd.
     count: usize,
     period: u64,
 }
@@ -125,7 +126,7 @@ impl<'a> Pattern<'a> {
     fn rest(&self, distance: u64) -> u64 {
         let short = NonZeroU32::new(low_u32(self.period)).filter(|_| self.period >> 32 == 0);
         let Some(period) = short else {
-            // Not more often than 2^10 times.
+            // At most 2^10 rounds: the distance is below 2^42, the period at least 2^32.
             let mut rest = distance;
             while rest >= self.period {
                 rest = rest.wrapping_sub(self.period);
@@ -135,7 +136,7 @@ impl<'a> Pattern<'a> {
         u64::from(div_rem_wide(distance, period).1)
     }
 
-    /// On by a distance of at most one period.
+    /// Moves a place on by a distance of at most one period.
     fn advance(&self, at: &mut Place, mut distance: u64) {
         while distance > 0 && distance >= at.left {
             distance = distance.wrapping_sub(at.left);
@@ -191,7 +192,7 @@ struct Cutter<'a, S> {
     start: Option<Place>,
     at: Place,
     side: Option<Side>,
-    /// The dash ended with the piece that was taken last, or went out of sight.
+    /// Whether the dash ended with the piece that was returned last, or went out of the view.
     stop: bool,
 }
 
@@ -218,7 +219,7 @@ impl<S: Iterator<Item = Event>> Iterator for Cutter<'_, S> {
                         let start = if start == Start::Ring { Start::Corner } else { start };
                         self.side = Some(Side { a, b, u, start, length, s: 0 });
                     } else {
-                        // The dash that came here, and its ends, are out of sight: what comes next has nothing to do with it.
+                        // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
                         pattern.advance(&mut self.at, pattern.rest(length));
                         return Some(Event::Stop);
                     }
@@ -248,7 +249,7 @@ impl<S> Cutter<'_, S> {
                 self.stop = true;
                 return None;
             }
-            // As far as it cannot get into the view, by whole periods.
+            // Skips whole periods, for as far as the side cannot reach the view.
             let beside = distance(&self.view, from).min(left);
             if beside >= pattern.period {
                 side.s = side.s.wrapping_add(beside.wrapping_sub(pattern.rest(beside)));
@@ -272,7 +273,7 @@ impl<S> Cutter<'_, S> {
     }
 }
 
-/// How far a place is from a view at the least, in units of 2^-16.
+/// A lower bound for the distance of a place from a view, in units of 2^-16.
 fn distance(view: &View, from: PointFx) -> u64 {
     let (x, y) = bits(from);
     let [(x0, y0), (x1, y1)] = view.corners();

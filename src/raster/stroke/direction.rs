@@ -27,7 +27,7 @@ impl Direction {
         let (a, b) = (bits(a), bits(b));
         let (dx, dy) = (difference(b.0, a.0), difference(b.1, a.1));
         let zeros = (dx.unsigned_abs() | dy.unsigned_abs()).leading_zeros();
-        // The larger one of 31 bits.
+        // So that the larger component has 31 bits.
         let scaled = |d: u64| if zeros < 33 { d >> 1 } else { d << (zeros.wrapping_sub(33) & 63) };
         let (x, y) = (scaled(dx.unsigned_abs()), scaled(dy.unsigned_abs()));
         let length = NonZeroU32::new(square_root(x.wrapping_mul(x).wrapping_add(y.wrapping_mul(y))))?;
@@ -49,7 +49,7 @@ impl Direction {
         Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
     }
 
-    /// Positive if the other one is more to the right.
+    /// Positive if the other one points to the right of this one.
     pub(crate) fn cross(self, other: Self) -> i64 {
         let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
         product(self.x, other.y).wrapping_sub(product(self.y, other.x))
@@ -66,7 +66,7 @@ impl Direction {
         Self { x: rounded(by.dot(self)), y: rounded(by.cross(self)) }
     }
 
-    /// Half of a width this way, away from zero.
+    /// Half of a width in this direction, rounded away from zero.
     pub(crate) fn offset(self, width: u32) -> (i32, i32) {
         let half = |n: i32| {
             let product = u64::from(width).wrapping_mul(u64::from(n.unsigned_abs()));
@@ -86,7 +86,7 @@ pub(crate) fn with_sign(n: u32, sign: i64) -> i32 {
     }
 }
 
-/// A place and steps from it. Stops at the ends of the type.
+/// A place moved by (x, y). Coordinates stop at the ends of the type.
 pub(crate) fn moved(v: PointFx, (x, y): (i32, i32)) -> PointFx {
     let (vx, vy) = bits(v);
     PointFx::from_bits(vx.saturating_add(x), vy.saturating_add(y))

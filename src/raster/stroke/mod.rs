@@ -1,7 +1,7 @@
 //! Lines with a width: strokes of lines, polylines and paths, as the union of small convex pieces.
 //!
 //! Every side of the path becomes a parallelogram, every vertex a join, every end a cap. All pieces turn the same way round, so
-//! filled by [`NonZero`](super::FillRule::NonZero) they are one shape: what they share is painted once.
+//! filled by [`NonZero`](crate::FillRule::NonZero) they are one shape: what they share is painted once.
 //! ```text
 //!   a+o __________ b+o    side     o = w/2 to the right of the direction, away from zero to whole units
 //!      |          |
@@ -10,17 +10,17 @@
 //!   a-o            b-o    join     Bevel: v, v+p, v+q, p and q being the offsets of both sides on the outer side
 //!                                  Miter: v, v+p, tip, v+q        Round: v, v+p, the fan, v+q
 //! ```
-//! **The rule.** Of a side with the difference d, both components are doubled until the larger one has 31 bits (or halved, if it
-//! has 32); then `u = ceil(2^30 |d| / floor(|d|))` is its direction in units of 2^-30, `|d|` being the length, and an offset is
-//! `ceil(w u / 2^31)`, rounded away from zero. A stroke is therefore never thinner than its width and at most 2 units (1/128
-//! pixel) thicker, and one that is a pixel wide stays connected at any angle. The *tip* of a miter is `w (p + q) / (2 (1 + p q))`
-//! for directions p and q, rounded to nearest; where `2 / (1 + p q)` is more than the square of the limit, the join is a
-//! bevel. A *fan* turns by `1 / 2^j` of a circle from its first offset on, j being the least from 3 to 11 with
-//! `12 * 4^j >= w`: chords within 1/8 pixel of the circle. Vertices stop at the ends of `i32`.
+//! **The rule.** Let d be the difference of both ends of a side. Its components are doubled until the larger one has 31 bits (or
+//! halved, if it has 32). The direction is `u = 2^30 d / floor(|d|)`, in units of 2^-30, where `|d|` is the length; an offset is
+//! `w u / 2^31`. Both are rounded away from zero, each component by itself. A stroke is therefore never thinner than its width
+//! and at most 2 units (1/128 pixel) thicker, and one that is a pixel wide stays connected at any angle. The *tip* of a miter is
+//! `w (p + q) / (2 (1 + p q))` for directions p and q, rounded to nearest; where `2 / (1 + p q)` is more than the square of the
+//! limit, the join is a bevel. A *fan* turns by `1 / 2^j` of a circle from its first offset on, where j is the least from 3 to 11
+//! with `12 * 4^j >= w`: then its chords are within 1/8 pixel of the circle. Vertices stop at the ends of `i32`.
 //!
-//! Inside of a curve joins are round, whatever is asked for, as the curve is: mostly one triangle with no fan.
+//! Between the lines that a curve was cut into, joins are always round. Mostly such a join is one triangle without a fan.
 //!
-//! **Work.** Pieces that cannot be seen are left out, and curves are followed only near the window, so work depends on what is
+//! **Work.** Pieces outside of the window are left out, and curves are followed only near it, so work depends on what is
 //! visible. Nothing is stored: the pieces are found anew for every band of rows that the edge table has room for.
 //!
 //! Range: any `I24F8`; widths from 0 to 65,536 pixels, miter limits to 255.
@@ -68,7 +68,7 @@ pub fn fill<D: Dashing>(
     polygon::fill(stroke.of_path(path, window), FillRule::NonZero, table, window, sink)
 }
 
-/// The same of lines from each place to the next, and back to the first one if they are `closed`.
+/// Emits the spans of stroked lines: from each place to the next, and back to the first one if they are `closed`.
 ///
 /// # Errors
 /// As for [`fill`].
@@ -84,7 +84,7 @@ pub fn fill_polyline<D: Dashing>(
     polygon::fill(stroke.of_polyline(places, closed, window), FillRule::NonZero, table, window, sink)
 }
 
-/// A box that encloses the pixels of a stroked path: that of the path, and all around it that a join or a cap may reach.
+/// A box that encloses the pixels of a stroked path: that of the path, with as much around it as a join or a cap may reach.
 pub fn extent<D>(path: Path<'_>, stroke: &Stroke<D>) -> Rect {
     let Rect { x0, y0, x1, y1 } = outline::extent(path);
     if x0 >= x1 {
@@ -102,7 +102,7 @@ pub fn extent<D>(path: Path<'_>, stroke: &Stroke<D>) -> Rect {
 
 impl<D: Dashing> Stroke<D> {
     /// The pieces of a stroked path that `window` may show, as closed contours for [`polygon::fill`](super::polygon::fill)
-    /// by [`NonZero`](super::FillRule::NonZero).
+    /// by [`NonZero`](crate::FillRule::NonZero).
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = Pen::new(&self, window);
         let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach) };
@@ -110,7 +110,7 @@ impl<D: Dashing> Stroke<D> {
         OneByOne { contours, stroke, parts: None }
     }
 
-    /// The same of lines from each place to the next, and back to the first one if they are `closed`.
+    /// The pieces of stroked lines: from each place to the next, and back to the first one if they are `closed`.
     pub fn of_polyline(
         self,
         places: &[PointFx],
@@ -123,7 +123,7 @@ impl<D: Dashing> Stroke<D> {
     }
 }
 
-/// The pieces of one contour after the other: a `flat_map` of half the size, as it has one end only.
+/// The pieces of one contour after the other: a `flat_map` of half the size, as it is never read from its end.
 #[derive(Clone, Debug)]
 struct OneByOne<C, F, P> {
     contours: C,

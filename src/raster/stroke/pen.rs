@@ -23,20 +23,20 @@ impl<D: Cut> Dashing for D {}
 /// What happens along a contour.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// A side, its direction if it may be seen, and what it begins with.
+    /// A side.
     Side {
-        /// From here
+        /// Where it starts.
         a: PointFx,
-        /// to here
+        /// Where it ends.
         b: PointFx,
-        /// this way.
+        /// Its direction. `None` if it lies outside of the window, with all that is drawn for it.
         u: Option<Direction>,
-        /// At `a`.
+        /// What is at `a`.
         start: Start,
     },
-    /// The sides before end here.
+    /// The end of an open contour, or of a dash: the last side has a cap there.
     Stop,
-    /// The sides before form a ring.
+    /// The end of a closed contour: its last side is joined to its first one.
     Close,
     /// A contour without length.
     Dot(PointFx),
@@ -49,13 +49,13 @@ pub enum Start {
     Corner,
     /// A place inside of a curve.
     Smooth,
-    /// The start of a ring.
+    /// The start of a closed contour.
     Ring,
 }
 
-/// What [`Dashing`] does, out of sight.
+/// What [`Dashing`] does, where users of the crate do not see it.
 pub trait Cut: Copy {
-    /// Whether what is not seen must be measured nevertheless.
+    /// Whether sides outside of the window must be followed all the same, as their length matters.
     const LENGTH_MATTERS: bool;
     /// Cuts sides.
     fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, pen: Pen) -> impl Iterator<Item = Event> + Clone;
@@ -71,7 +71,7 @@ impl Cut for () {
     }
 }
 
-/// For widths up to the first number: cosine and sine of the turn from one vertex of a fan to the next, times 2^30. It is
+/// For widths up to the first number: cosine and sine, times 2^30, of the turn from one vertex of a fan to the next. The turns are
 /// 1/8, 1/16 ... 1/2048 of a circle.
 const TURNS: [(u32, (i32, i32)); 9] = [
     (768, (759_250_125, 759_250_125)),
@@ -85,7 +85,7 @@ const TURNS: [(u32, (i32, i32)); 9] = [
     (u32::MAX, (1_073_736_771, 3_294_193)),
 ];
 
-/// A stroke in the units of its pieces.
+/// What all pieces of a stroke are made from.
 #[derive(Copy, Clone, Debug)]
 pub struct Pen {
     pub(super) width: u32,
@@ -118,7 +118,7 @@ impl Pen {
         Piece::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
     }
 
-    /// The end of a side that goes this way.
+    /// The cap at the end of a side with the direction u.
     #[inline(never)]
     pub(super) fn cap(&self, at: PointFx, u: Option<Direction>) -> Option<Piece> {
         let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
@@ -126,7 +126,7 @@ impl Pen {
         match self.cap {
             Cap::Butt => None,
             Cap::Square => {
-                // Ahead is what lies to the left of the right.
+                // The offset to the right, turned to the left, points ahead.
                 let ahead = (r.1, l.0);
                 let sum = |o: (i32, i32)| (o.0.wrapping_add(ahead.0), o.1.wrapping_add(ahead.1));
                 Some(Piece::new([moved(at, r), moved(at, sum(r)), moved(at, sum(l)), moved(at, l)], 4))
@@ -148,7 +148,7 @@ impl Pen {
         if turn == 0 && last.dot(next) > 0 || self.view.hides(at, at, 0) {
             return None;
         }
-        // On the outer side, from one offset to the other turning left, as all pieces do.
+        // On the outer side of the corner, in the order in which the piece turns left, as all pieces do.
         let (from, to) =
             if turn > 0 { (next.right().back(), last.right().back()) } else { (last.right(), next.right()) };
         Some(self.wedge(at, from, to, if smooth { Join::Round } else { self.join }))
@@ -190,9 +190,9 @@ impl Pen {
 pub struct Piece {
     corners: [PointFx; 4],
     len: usize,
-    /// How many corners are given out.
+    /// How many corners were returned.
     done: usize,
-    /// Comes after two corners.
+    /// Its vertices come after the first two corners.
     fan: Option<Fan>,
 }
 

@@ -55,7 +55,7 @@ pub(super) struct Sides<O> {
     view: View,
     start: PointFx,
     last: Option<Knot>,
-    /// There was a side.
+    /// Whether there was a side.
     moved: bool,
 }
 
@@ -88,7 +88,7 @@ impl<O: Outline> Iterator for Sides<O> {
             match self.last.replace(node) {
                 None => self.start = node.at,
                 Some(last) if last.at != node.at => return Some(self.side(last, node.at)),
-                // The same place again: smooth if both are.
+                // The same place again makes no side. It is smooth if both are.
                 Some(last) => self.last = Some(Knot { smooth: node.smooth && last.smooth, ..node }),
             }
         }
@@ -113,7 +113,7 @@ pub(super) struct Pieces<E> {
     pen: Pen,
     /// What comes after the piece that was taken last.
     pending: Option<Piece>,
-    /// Where the last side ended, and its direction if it was seen.
+    /// Where the last side ended, and its direction if it is not hidden.
     last: Option<(PointFx, Option<Direction>)>,
     /// The direction of the first side.
     first: Option<Direction>,

@@ -17,7 +17,7 @@ pub enum Cap {
 /// How two sides meet.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub enum Join {
-    /// Outer borders go on until they meet; a [`Bevel`](Self::Bevel) where that is farther than the limit.
+    /// The outer borders go on until they meet. Where that is farther away than the limit, the join is a [`Bevel`](Self::Bevel).
     #[default]
     Miter,
     /// The corner is cut off.
@@ -33,7 +33,7 @@ pub enum Join {
 /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 8)?;
 /// let tick = [PointFx::px(2, 2), PointFx::px(6, 6), PointFx::px(14, 1)];
 /// let stroke = Stroke::px(2).with_join(Join::Round).with_cap(Cap::Round);
-/// frame.stroke_polyline(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
+/// frame.stroke_polyline_fx(&tick, false, &stroke, &mut [EdgeSlot::EMPTY; 64], Index1::MAX)?;
 /// let rows = [
 ///     0b0000_0000_0000_0110_u16,
 ///     0b0110_0000_0001_1110,
@@ -51,13 +51,13 @@ pub enum Join {
 pub struct Stroke<D = ()> {
     /// In pixels and 1/256 of them, from 0 to 65,536; others count as the nearest of these.
     pub width: I24F8,
-    /// Ends.
+    /// How its ends look.
     pub cap: Cap,
-    /// Corners.
+    /// How its corners look.
     pub join: Join,
     /// How far, in widths, a miter may reach from its inner to its outer corner.
     pub miter_limit: I24F8,
-    /// Gaps.
+    /// Its gaps: `()` for none.
     pub dash: D,
 }
 
@@ -76,21 +76,21 @@ impl Stroke {
 }
 
 impl<D> Stroke<D> {
-    /// With other ends.
+    /// The same stroke with these ends.
     #[inline]
     #[must_use]
     pub fn with_cap(self, cap: Cap) -> Self {
         Self { cap, ..self }
     }
 
-    /// With other corners.
+    /// The same stroke with these corners.
     #[inline]
     #[must_use]
     pub fn with_join(self, join: Join) -> Self {
         Self { join, ..self }
     }
 
-    /// With another limit for miters.
+    /// The same stroke with this limit for miters.
     #[inline]
     #[must_use]
     pub fn with_miter_limit(self, miter_limit: I24F8) -> Self {

@@ -18,8 +18,8 @@
 //! beyond the right one. So of two unequal crossings the lesser is the left side's, on all rows of the triangle; and between
 //! equal ones lies no pixel.
 //!
-//! Crossings are found as the chip and the size ask for: by sums of fixed-point numbers where that is exact (the proof is
-//! there), or by quotient and remainder. Built for size, a firmware has the second way only.
+//! How crossings are found depends on the chip and the opt-level: by sums of fixed-point numbers where that is exact (the proof is
+//! in `sums`), or by quotient and remainder (`steps`). A build for size has the second way only.
 //!
 //! Sources: "Rasterization Rules", Direct3D 11 documentation; J. Pineda, "A Parallel Algorithm for Polygon
 //! Rasterization", SIGGRAPH 1988 (edge functions).

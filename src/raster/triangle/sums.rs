@@ -12,7 +12,7 @@ use crate::{
     span::{Rect, Sink, Span},
 };
 
-/// The commonest triangles by additions ([`Sum`]): less than 256 pixels high, and no column of them outside the window.
+/// The most common triangles, by additions ([`Sum`]): less than 256 pixels high, with all of their columns in the window.
 #[inline(always)]
 pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink) {
     let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
@@ -47,13 +47,13 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
             if let Some(span) = (Span { y, x0, x1 }).known_inside() {
                 sink.span(span);
             } else if x0 > x1 {
-                // The sides are the other way round, and all rows were empty so far.
+                // The sides have to be exchanged; all rows so far were empty.
                 (left, right) = (right, left);
                 long_is_left = !long_is_left;
                 continue;
             } else {
-                // A row number that is not simply counted keeps the compiler from counting addresses beside it: there
-                // are not enough registers.
+                // If the compiler saw that y is counted, it would count an address beside it, and there are not enough
+                // registers.
                 y = black_box(y);
             }
             left.step();
@@ -78,7 +78,7 @@ fn tiny_side(upper: (i32, i32), lower: (i32, i32), y: i32) -> Sum {
     Slope::new(upper, lower).map_or(Sum::default(), |side| Sum::tiny(side, y))
 }
 
-/// The long and the short side from row y on, and the row after the last one before y1 that they are good for.
+/// The long and the short side from row y on, and the row at which they end or stop being exact, at most y1.
 #[inline(never)]
 fn block(a: (i32, i32), b: (i32, i32), c: (i32, i32), y: i32, y1: i32) -> (Sum, Sum, i32) {
     let turn = first_centre_from(b.1);
@@ -91,7 +91,7 @@ fn block(a: (i32, i32), b: (i32, i32), c: (i32, i32), y: i32, y1: i32) -> (Sum, 
     }
 }
 
-/// [`steps::fill`] in a function of its own, with registers of its own.
+/// [`steps::fill`], not inlined, so that it has all registers to itself.
 #[inline(never)]
 fn fill_apart(a: (i32, i32), b: (i32, i32), c: (i32, i32), window: Rect, sink: impl Sink) {
     steps::fill([a, b, c], window, sink);
@@ -99,7 +99,7 @@ fn fill_apart(a: (i32, i32), b: (i32, i32), c: (i32, i32), window: Rect, sink: i
 
 /// Crossings of small sides in columns `0..1024`, as 10 bits of pixel and 22 of fraction: a step is one addition.
 ///
-/// M / dy is a multiple of 1 / dy, so its floor stays right while what is stored is not below it, and above it by less than
+/// M / dy is a multiple of 1 / dy. So its floor is right while the stored number is not below it, and above it by less than
 /// 1 / dy.
 #[derive(Copy, Clone, Default)]
 struct Sum {
@@ -133,7 +133,7 @@ impl Sum {
         Self { at: (unsigned(p) << Self::BITS).wrapping_add(ratio(m)), by: ratio(side.dx) }
     }
 
-    /// For how many rows a side of at most this height is right: 64 or more.
+    /// For how many rows the sum of a side of at most this height is exact: 64 or more.
     #[inline(always)]
     fn reach(height: NonZeroU32) -> i32 {
         signed(((1 << Self::BITS) - 1) / height)
@@ -141,12 +141,12 @@ impl Sum {
 
     /// The same in tiny triangles, with one division.
     ///
-    /// With `i = floor((2^32 - 1) / dy)`, M i and its steps dx i are wide of `2^32 M / dy` by at most |M|, M being that of the
-    /// row, and cutting off 10 bits takes up to `2^10` more each time. Half of i is added at the start; so all is well while
-    /// `|M| + 2^10 (k + 1) <= i / 2` in row k. As |M| is at most `dy (256 + |dx|) / 256` and k at most `dy / 256 + 1`, it is
-    /// enough that `dy^2 (1280 + |dx|) <= 2^39 - 2^19.1 dy`. With `|dx| + dy = s` the left side is at most
-    /// `4 (1280 + s)^3 / 27`, below `2^38.9` for s up to [`TINY`](Self::TINY). (Where dy is 1, M is 0 or -1, there is one
-    /// row, and half of i will do.)
+    /// Let `i = floor((2^32 - 1) / dy)`. M i, with steps of dx i, differs from `2^32 M / dy` by at most |M|, where M is that of
+    /// the row. Cutting off 10 bits, at the start and in each step, takes up to `2^10` more each time. Half of i is added at the
+    /// start, so the floor is right while `|M| + 2^10 (k + 1) <= i / 2` in row k. As |M| is at most `dy (256 + |dx|) / 256` and k
+    /// at most `dy / 256 + 1`, it is enough that `dy^2 (1280 + |dx|) <= 2^39 - 2^19.1 dy`. With `|dx| + dy = s` the left side is
+    /// at most `4 (1280 + s)^3 / 27`, below `2^38.9` for s up to [`TINY`](Self::TINY). (Where dy is 1, M is 0 or -1, there is
+    /// one row, and half of i will do.)
     #[inline(always)]
     fn tiny(side: Slope, y: i32) -> Self {
         let Slope { from, dx, dy, .. } = side;

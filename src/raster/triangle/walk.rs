@@ -90,7 +90,7 @@ where
     for y in area.y0..area.y1 {
         let [mut e0, mut e1, mut e2] = sides.map(|e| e.value);
         let mut inside = |x: &mut i32, wanted: bool| {
-            // The sign of the three together: negative as soon as one is.
+            // The sign bit of all three together: negative as soon as one is.
             while *x < area.x1 && ((e0 | e1 | e2) >= T::default()) != wanted {
                 e0 += sides[0].right;
                 e1 += sides[1].right;

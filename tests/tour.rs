@@ -1,0 +1,250 @@
+//! The page of the crate, `src/tour.md`: its pictures, which stand as data at its end, are what the programs on it draw.
+//!
+//! `cargo xtask tour` writes the pictures anew: look at each before committing it.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::missing_assert_message,
+    reason = "the numbers of the pictures are small, and programs on a page have no room for reasons"
+)]
+
+use std::{env, fs, path::Path};
+
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{Rgb565, Rgb888},
+};
+use embedded_raster::{
+    buffer_bytes,
+    pixel::EGA,
+    raster::{
+        ellipse,
+        flood::{Connectivity, FloodSlot},
+        line, triangle,
+    },
+    Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
+    Paint, Palette, PointFx, Rect, Stroke, Surface,
+};
+use embedded_raster_simulator::Picture;
+
+/// How many times as large as its pixels a picture is shown.
+const ZOOM: usize = 4;
+
+/// Draws a picture.
+type Program = fn() -> Result<Picture, Error>;
+
+/// Pictures whose program stands above them on the page.
+const PROGRAMS: [(&str, Program); 3] = [("first-program", first_program), ("paints", paints), ("reading", reading)];
+
+fn first_program() -> Result<Picture, Error> {
+    let mut ram = [0; buffer_bytes::<Index4>(64, 48)]; // 1,536 bytes
+    let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
+    let (sea, land, border) = (Index4::new(1), Index4::new(2), Index4::new(15));
+
+    frame.clear(sea);
+    let island = [(8, 30), (20, 9), (37, 16), (56, 12), (49, 40), (24, 44)].map(|(x, y)| PointFx::px(x, y));
+    let mut table = [EdgeSlot::EMPTY; 8]; // scratch memory: at most 8 sides of the outline cross a row
+    frame.fill_polygon_fx(&island, FillRule::EvenOdd, &mut table, land)?;
+    frame.draw_line(Point::new(20, 9), Point::new(49, 40), border);
+    assert_eq!(frame.get(Point::new(30, 25)), Some(land));
+    Ok(Picture::indexed(&frame, &EGA).zoomed(ZOOM))
+}
+
+fn paints() -> Result<Picture, Error> {
+    /// Colours 1 to 15 from top to bottom. Between two of them, every other pixel has the next one.
+    struct Dusk;
+
+    impl<S: Surface<Color = Index4>> Paint<S> for Dusk {
+        fn span(&mut self, on: &mut S, span: ClippedSpan) {
+            let y = span.y();
+            on.write_span(span, |x| Index4::new(((2 * y + 3 * ((x + y) & 1)) / 6) as u8));
+        }
+    }
+
+    let mut ram = [0; buffer_bytes::<Index4>(64, 48)];
+    let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
+    let sun = Ellipse::in_box(Rect::new(11, 3, 53, 45));
+    frame.paint(Dusk, |window, brush| ellipse::fill(sun, window, brush));
+
+    // From yellow to a dark red, before a night sky.
+    let palette = Palette::<Rgb888, 16>::new(std::array::from_fn(|i| {
+        let part = |from: usize, to: usize| u8::try_from((from * (15 - i) + to * (i - 1)) / 14).unwrap_or(0);
+        if i == 0 {
+            Rgb888::new(20, 16, 48)
+        } else {
+            Rgb888::new(part(255, 120), part(226, 20), part(120, 60))
+        }
+    }));
+    Ok(Picture::indexed(&frame, &palette).zoomed(ZOOM))
+}
+
+fn reading() -> Result<Picture, Error> {
+    static ARROW: [u8; 7] = [0x08, 0x0c, 0xfe, 0xff, 0xfe, 0x0c, 0x08]; // eight pixels of one bit to a byte
+    let arrow = Bitmap::<Index1>::new(&ARROW, 8, 7)?;
+
+    let mut ram = [0; buffer_bytes::<Index4>(64, 48)];
+    let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
+    frame.draw_ellipse(Rect::new(2, 2, 40, 46), Index4::new(15));
+    frame.draw_ellipse(Rect::new(22, 2, 62, 46), Index4::new(15));
+    let mut table = [FloodSlot::EMPTY; 16];
+    frame.flood_fill(Point::new(31, 24), Connectivity::Sides, &mut table, Index4::new(2));
+    frame.blit_mask(Point::new(8, 20), &arrow, Index4::new(14), None);
+    frame.move_area(Rect::new(8, 20, 16, 27), Point::new(46, 20)); // copies the arrow
+    assert_eq!(frame.get(Point::new(53, 23)), Some(Index4::new(14)));
+    Ok(Picture::indexed(&frame, &EGA).zoomed(ZOOM))
+}
+
+/// A triangle between places and a line between pixels, on a grid whose cells stand for pixels.
+fn places() -> Result<Picture, Error> {
+    const CELL: i32 = 16;
+    const COLUMNS: i32 = 26;
+    const ROWS: i32 = 9;
+    let (grid, pixel, ink) = (Index2::new(1), Index2::new(2), Index2::new(3));
+    let mut ram = [0; buffer_bytes::<Index2>((CELL * COLUMNS + 1) as u16, (CELL * ROWS + 1) as u16)];
+    let mut frame = Framebuffer::<Index2>::new(&mut ram, (CELL * COLUMNS + 1) as u16, (CELL * ROWS + 1) as u16)?;
+
+    // In quarters of a pixel.
+    let corners = [(5, 27), (18, 3), (46, 33)].map(|(x, y)| PointFx::from_bits(64 * x, 64 * y));
+    let ends = [Point::new(14, 7), Point::new(24, 2)];
+    let window = Rect::new(0, 0, COLUMNS, ROWS);
+    let cell = |x: i32, y: i32| Rect::new(CELL * x, CELL * y, CELL * (x + 1), CELL * (y + 1));
+    let mut color_in = |span: ClippedSpan| {
+        (span.x0()..span.x1()).for_each(|x| frame.fill_rectangle(cell(x, span.y()), pixel));
+    };
+    triangle::fill(corners, window, &mut color_in);
+    line::draw(ends[0], ends[1], window, &mut color_in);
+
+    for x in 0..=COLUMNS {
+        frame.draw_line(Point::new(CELL * x, 0), Point::new(CELL * x, CELL * ROWS), grid);
+    }
+    for y in 0..=ROWS {
+        frame.draw_line(Point::new(0, CELL * y), Point::new(CELL * COLUMNS, CELL * y), grid);
+    }
+    for (x, y) in (0..COLUMNS).flat_map(|x| (0..ROWS).map(move |y| (x, y))) {
+        frame.fill_rectangle(cell(x, y).inset(CELL / 2 - 1), grid);
+    }
+    let enlarged = |at: PointFx| PointFx::from_bits(at.x.to_bits() * CELL, at.y.to_bits() * CELL);
+    let mut table = [EdgeSlot::EMPTY; 32];
+    frame.stroke_polyline_fx(&corners.map(enlarged), true, &Stroke::px(2), &mut table, ink)?;
+    frame.stroke_line_fx(ends.map(|end| enlarged(PointFx::centre_of(end))), &Stroke::px(2), &mut table, ink)?;
+    let palette = Palette::new([0xff_ff_ff, 0xb8_bc_c4, 0xff_c8_57, 0x1d_33_4a].map(rgb));
+    Ok(Picture::indexed(&frame, &palette))
+}
+
+fn rgb(color: u32) -> Rgb888 {
+    let [_, r, g, b] = color.to_be_bytes();
+    Rgb888::new(r, g, b)
+}
+
+/// The pictures of the page: their names, and PNG files.
+fn pictures() -> Vec<(&'static str, Vec<u8>)> {
+    let drawn = PROGRAMS.into_iter().chain([("places", places as Program)]).map(|(name, draw)| {
+        let picture = draw().unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name, picture.to_png().expect("it has pixels"))
+    });
+    // The pictures of the README.
+    let read = [("world-map", "docs/world_map.png"), ("shapes", "docs/shapes.png")]
+        .map(|(name, file)| (name, fs::read(project().join(file)).expect("a readable file")));
+    drawn.chain(read).collect()
+}
+
+fn project() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn page() -> String {
+    fs::read_to_string(project().join("src/tour.md")).expect("a readable page")
+}
+
+/// What the definition of a picture begins with: `[name]: data:...`.
+fn definition(name: &str) -> String {
+    format!("[{name}]: data:image/png;base64,")
+}
+
+/// The base64 of RFC 4648.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let digits = bytes.chunks(3).flat_map(|chunk| {
+        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        let digit = move |i: usize| char::from(DIGITS[(bits >> (18 - 6 * i) & 63) as usize]);
+        (0..4).map(move |i| if i <= chunk.len() { digit(i) } else { '=' })
+    });
+    digits.collect()
+}
+
+/// Every definition at the end of the page is the picture as it is drawn today. With `BLESS=1`, writes them.
+#[test]
+fn pictures_are_up_to_date() {
+    let pictures = pictures();
+    let page = page();
+    let new: String = page
+        .lines()
+        .map(|line| match pictures.iter().find(|(name, _)| line.starts_with(&definition(name))) {
+            Some((name, file)) => format!("{}{}\n", definition(name), base64(file)),
+            None => format!("{line}\n"),
+        })
+        .collect();
+    if env::var_os("BLESS").is_some_and(|bless| bless == "1") {
+        fs::write(project().join("src/tour.md"), new).expect("the page can be written");
+        return;
+    }
+    for (name, file) in &pictures {
+        assert!(page.contains(&format!("][{name}]\n")), "{name} is shown");
+        let is_new = page.contains(&format!("{}{}\n", definition(name), base64(file)));
+        assert!(is_new, "{name} is not what is drawn today: run `cargo xtask tour`, and look at it");
+    }
+    assert_eq!(page, new, "the rest stays as it is");
+}
+
+/// The program above a picture is the one that draws it: line by line, but for imports and what the page hides.
+#[test]
+fn programs_draw_the_pictures_below_them() {
+    let trimmed = |text: &str| text.lines().map(|line| line.trim().to_owned() + "\n").collect::<String>();
+    let here = trimmed(include_str!("tour.rs"));
+    for (name, _) in PROGRAMS {
+        let page = page();
+        let above = page.split_once(&format!("][{name}]")).expect("it is shown").0;
+        let block = above.rsplit("```").nth(1).expect("a program stands above it");
+        let shown = block.lines().filter(|line| !line.starts_with("# "));
+        // Imports stand at the top, up to an empty line.
+        let program = shown.skip_while(|line| !line.is_empty()).skip(1).skip_while(|line| !line.is_empty()).skip(1);
+        let program = trimmed(&program.collect::<Vec<_>>().join("\n"));
+        assert!(program.lines().count() > 5, "a program: {program}");
+        assert!(here.contains(program.trim()), "{name} is drawn by another program than\n{program}");
+    }
+}
+
+/// Bytes of screens, as the table of the page has them.
+#[test]
+fn the_table_of_memory() {
+    let page = page();
+    for (width, height) in [(128, 64), (200, 200), (240, 240), (320, 240), (480, 320), (800, 480)] {
+        let bytes = [
+            buffer_bytes::<Index1>(width, height),
+            buffer_bytes::<Index2>(width, height),
+            buffer_bytes::<Index4>(width, height),
+            buffer_bytes::<Index8>(width, height),
+            buffer_bytes::<Rgb565>(width, height),
+            buffer_bytes::<Rgb888>(width, height),
+        ];
+        let row = format!("| {width} x {height} | {} |\n", bytes.map(grouped).join(" | "));
+        assert!(page.contains(&row), "{row}");
+    }
+}
+
+/// With a comma before every three digits.
+fn grouped(n: usize) -> String {
+    if n < 1000 {
+        n.to_string()
+    } else {
+        format!("{},{:03}", grouped(n / 1000), n % 1000)
+    }
+}
+
+#[test]
+fn base64_of_the_standard() {
+    let examples = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
+    assert!(examples.iter().all(|(text, expected)| base64(text.as_bytes()) == *expected), "RFC 4648, section 10");
+}
