@@ -19,7 +19,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use embedded_raster::{
-    pixel::{row_bytes, Be, Lsb0, Rgb332, Xrgb8888},
+    pixel::{row_bytes, Be, Lsb0, Rgb332, Rgb444, Xrgb8888},
     surface::{paged_bytes, Counter, Paged, Pages, Planes, Rows},
     BufferError, Frame, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
@@ -74,6 +74,8 @@ formats! {
     index8: Index8,
     gray8: Gray8,
     rgb332: Rgb332,
+    rgb444: Rgb444,
+    rgb444_be: Be<Rgb444>,
     rgb555: Rgb555,
     bgr555: Bgr555,
     rgb565: Rgb565,
@@ -709,6 +711,7 @@ fn bytes_in_memory() {
     assert_eq!(bytes::<Index8>(&[9, 255].map(Index8::new)), [9, 255]);
     assert_eq!(bytes::<Gray8>(&[9, 255].map(Gray8::new)), [9, 255]);
     assert_eq!(bytes::<Rgb332>(&[Rgb332::new(7, 0, 0), Rgb332::new(0, 5, 2)]), [7 << 5, 5 << 2 | 2]);
+    assert_eq!(bytes::<Rgb444>(&[Rgb444::new(1, 2, 3), Rgb444::WHITE]), [0x23, 0x01, 0xff, 0x0f]);
     assert_eq!(bytes::<Rgb565>(&[Rgb565::RED, Rgb565::new(1, 2, 3)]), [0x00, 0xf8, 0x43, 0x08]);
     assert_eq!(bytes::<Be<Rgb565>>(&[Rgb565::RED, Rgb565::new(1, 2, 3)]), [0xf8, 0x00, 0x08, 0x43]);
     assert_eq!(bytes::<Bgr565>(&[Bgr565::RED, Bgr565::BLUE]), [0x1f, 0x00, 0x00, 0xf8]);
@@ -733,6 +736,7 @@ fn bytes_in_memory() {
 fn bits_per_pixel() {
     assert_eq!([Index1::BITS, <Lsb0<BinaryColor>>::BITS, Index2::BITS, Gray2::BITS], [1, 1, 2, 2]);
     assert_eq!([Index4::BITS, Gray4::BITS, Index8::BITS, Gray8::BITS, Rgb332::BITS], [4, 4, 8, 8, 8]);
+    assert_eq!((Rgb444::BITS, <Be<Rgb444>>::BITS), (16, 16));
     assert_eq!([Rgb555::BITS, Bgr555::BITS, Rgb565::BITS, <Be<Bgr565>>::BITS], [16; 4]);
     assert_eq!([Rgb666::BITS, Bgr666::BITS, Rgb888::BITS, <Be<Bgr888>>::BITS], [24; 4]);
     assert_eq!([Xrgb8888::BITS, <Be<Xrgb8888>>::BITS], [32; 2]);
@@ -1012,6 +1016,10 @@ mod conversions {
     fn channels() {
         let c = Xrgb8888::new(1, 2, 3);
         assert_eq!((c.r(), c.g(), c.b()), (1, 2, 3));
+        let c = Rgb444::new(0x21, 0x32, 0x43);
+        assert_eq!((c.r(), c.g(), c.b()), (1, 2, 3), "channels are cut to the bits they have");
+        assert_eq!(Rgb888::from(c), Rgb888::new(17, 34, 51));
+        assert_eq!(Rgb444::from(Rgb888::new(25, 26, 255)), Rgb444::new(1, 2, 15), "to nearest");
         let c = Rgb332::new(255, 254, 253);
         assert_eq!((c.r(), c.g(), c.b()), (7, 6, 1), "channels are cut to the bits they have");
         assert_eq!(Rgb332::WHITE, Rgb332::new(7, 7, 3));

@@ -59,11 +59,6 @@ impl<S: Readable, P: Fn(S::Color) -> bool> FloodTarget for Area<'_, S, P> {
 
     #[inline]
     fn corridor(&mut self, x: i32, y: i32, down: i32) -> i32 {
-        let window = self.surface.window();
-        // A corridor that begins outside of the window has no pixels.
-        if y < window.y0 || y >= window.y1 {
-            return y;
-        }
         match self.surface.fill_corridor(Point::new(x, y), down > 0, self.color, |color| (self.is_open)(color)) {
             Some(end) => end,
             None => corridor(self, x, y, down),

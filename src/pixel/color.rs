@@ -1,7 +1,7 @@
-//! Colour types that embedded-graphics does not have: indices into a colour table, RGB332 and XRGB8888.
+//! Colour types that embedded-graphics does not have: indices into a colour table, RGB332, RGB444 and XRGB8888.
 
 use embedded_graphics_core::pixelcolor::{
-    raw::{RawData, RawU1, RawU2, RawU32, RawU4, RawU8},
+    raw::{RawData, RawU1, RawU16, RawU2, RawU32, RawU4, RawU8},
     BinaryColor, PixelColor, Rgb555, Rgb565, Rgb888, RgbColor,
 };
 
@@ -97,6 +97,28 @@ impl From<Rgb332> for RawU8 {
     }
 }
 
+/// A 12-bit colour: four bits of red, of green and of blue, in the low bits of 16.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Rgb444(RawU16);
+
+impl PixelColor for Rgb444 {
+    type Raw = RawU16;
+}
+
+impl From<RawU16> for Rgb444 {
+    #[inline(always)]
+    fn from(raw: RawU16) -> Self {
+        Self(RawU16::new(raw.into_inner() & 0xfff))
+    }
+}
+
+impl From<Rgb444> for RawU16 {
+    #[inline(always)]
+    fn from(color: Rgb444) -> Self {
+        color.0
+    }
+}
+
 /// A 32-bit colour: the low 24 bits are those of [`Rgb888`], the high byte is kept as it is given.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Xrgb8888(RawU32);
@@ -180,6 +202,7 @@ macro_rules! rgb {
 }
 
 rgb!(Rgb332, u8, 3 at 5, 3 at 2, 2 at 0);
+rgb!(Rgb444, u16, 4 at 8, 4 at 4, 4 at 0);
 rgb!(Xrgb8888, u32, 8 at 16, 8 at 8, 8 at 0);
 
 /// Luma of ITU-R BT.601 in 0..=255, by the weights 77, 150 and 29 of 256.
@@ -268,4 +291,4 @@ macro_rules! through_rgb888 {
     };
 }
 
-through_rgb888!(Index1, Index2, Index4, Index8, Rgb332, Xrgb8888);
+through_rgb888!(Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888);

@@ -161,7 +161,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
         is_open: impl Fn(L::Color) -> bool,
     ) -> Option<i32> {
         let Rect { x0, x1, y0, y1 } = self.window();
-        if x <= x0 || x >= x1.wrapping_sub(1) {
+        if x <= x0 || x >= x1.wrapping_sub(1) || y < y0 || y >= y1 {
             return None;
         }
         let (at, rows) = (self.place(x, y), (self.y(y0), self.y(y1)));

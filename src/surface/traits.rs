@@ -204,9 +204,9 @@ pub trait Readable: Surface {
         x
     }
 
-    /// Paints straight down or up from a pixel of the window, while the pixel is open and its left and right neighbours are not.
-    /// Returns the row after the last one painted. `None`, by default, if there is no faster way than pixel by pixel. A shortcut
-    /// for flood fills of mazes.
+    /// Paints straight down or up from a pixel, while the pixel lies in the window and is open, and its left and right
+    /// neighbours are not open. Returns the row after the last one painted. `None`, by default, if there is no faster way than
+    /// pixel by pixel. A shortcut for flood fills of mazes.
     #[inline]
     fn fill_corridor(
         &mut self,
