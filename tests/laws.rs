@@ -20,7 +20,7 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     pixel::{row_bytes, Be, Lsb0, Rgb332, Rgb444, Xrgb8888},
-    surface::{paged_bytes, Counter, Paged, Pages, Planes, Rows},
+    surface::{paged_bytes, Counter, Packed12, Paged, Pages, Planes, Rows},
     BufferError, Frame, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
 use twins::{
@@ -56,6 +56,7 @@ layouts! {
     pages_lsb0: Pages<Lsb0<BinaryColor>>, Lsb0<BinaryColor>, Pages, 1;
     planes: Planes<Index2>, Index2, Planes, 2;
     planes_lsb0: Planes<Lsb0<Gray2>>, Lsb0<Gray2>, Planes, 2;
+    packed12: Packed12, Rgb444, Stream, 12;
 }
 
 formats! {

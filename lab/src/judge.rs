@@ -438,7 +438,7 @@ mod tests {
 
     #[test]
     fn the_crate_is_exact() {
-        for key in ["steps", "canvas"] {
+        for key in ["spans", "canvas"] {
             assert_eq!(errors(engine::lines::entries(), &workload::lines(true), key), 0, "lines by {key}");
         }
         for key in ["walk0", "walk4", "walk8", "fill", "canvas"] {

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`Rows`](super::Rows) | rows of a [format](crate::pixel), one after the other | most |
 //! | [`Pages`](super::Pages) | eight rows to a byte | SSD1306, SH1106 and other small OLEDs |
+//! | [`Packed12`](super::Packed12) | two pixels of RGB444 to three bytes | ST7789, ST7735 at 12 bits |
 //! | [`Planes`](super::Planes) | two planes of one bit | e-paper in black, white and red, or in four greys |
 //!
 //! A layout of your own needs its [`row_bytes`](Layout::row_bytes), [`get`](Layout::get) and [`set`](Layout::set); then

@@ -11,6 +11,7 @@ mod counter;
 mod draw;
 mod frame;
 mod layout;
+mod packed12;
 mod pages;
 mod planes;
 mod rows;
@@ -20,6 +21,7 @@ pub use self::{
     counter::Counter,
     frame::Frame,
     layout::{Grid, Layout, Place},
+    packed12::Packed12,
     pages::{paged_bytes, Paged, Pages},
     planes::Planes,
     rows::{Bitmap, Framebuffer, Rows},
