@@ -5,6 +5,7 @@ mod ellipse;
 mod exactly_once;
 mod flood;
 mod line;
+mod order;
 mod path;
 mod polygon;
 mod stroke;
