@@ -123,7 +123,7 @@ impl Slope {
     ///
     /// With one unit less in x where r = 0, `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, f
     /// being the remainder of that division and r - 1 being taken modulo dy.
-    #[cfg_attr(not(compact), cold)]
+    #[cfg_attr(not(embedded_raster_compact), cold)]
     #[inline(never)]
     fn any(from: (i32, i32), to: (i32, i32), height: NonZeroU32, y: i32) -> Stepper {
         let ((ax, ay), (bx, _)) = if from.1 < to.1 { (from, to) } else { (to, from) };

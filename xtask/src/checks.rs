@@ -84,6 +84,7 @@ fn cargo_step(name: &str, args: &[&str], switches: &[&str]) -> Result<()> {
         cargo.args(args).current_dir(project());
         // Cargo keeps what it built by these flags beside what it built by others. Other steps set flags of their own.
         cargo.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags).env_remove("CARGO_ENCODED_RUSTFLAGS");
+        cargo.env_remove("EMBEDDED_RASTER_TUNE");
         // Nobody debugs these builds.
         for (variable, value) in
             [("CARGO_INCREMENTAL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]
