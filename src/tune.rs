@@ -19,6 +19,11 @@
 //! A module that has two ways chooses between them once, at its head: by a constant that is named for what it means there, or
 //! by the module that it uses.
 
+#![cfg_attr(
+    embedded_raster_compact,
+    allow(dead_code, reason = "the ways for size do without what only those for speed are told")
+)]
+
 use core::hint::black_box;
 
 /// Armv7-M and later. Among the Cortex-M, atomic compare-and-swap tells them from Armv6-M.
