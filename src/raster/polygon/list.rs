@@ -8,7 +8,6 @@
 use core::{cell::Cell, mem::replace};
 
 use super::edge::{EdgeSlot, END};
-use crate::tune::COMPACT;
 
 /// Sorting merges runs in pairs, pairs in pairs of pairs: enough levels for 2^16.
 const LEVELS: usize = 17;
@@ -54,7 +53,7 @@ pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
         (run, rest) = take_run(table, rest);
     }
     // `merge` takes empty lists too, but most levels are empty.
-    levels.into_iter().filter(|&level| COMPACT || level != END).fold(END, |list, level| merge(table, level, list))
+    levels.into_iter().filter(|&level| level != END).fold(END, |list, level| merge(table, level, list))
 }
 
 /// Cuts the edges that go up or that go down from the front of a list: the run, sorted, and the rest.

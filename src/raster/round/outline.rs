@@ -4,12 +4,11 @@ use core::num::Wrapping;
 
 use super::{
     curve::{is_inside, is_small_circle, size_of, Ellipse, Size},
-    form::{mirrored, Follower, Form, Number},
+    form::{mirrored, Follower, Form, Number, NARROW},
 };
 use crate::{
     num::cast::{narrow, signed, unsigned},
     span::{Octants, Rect, Sink, Span},
-    tune::COMPACT,
 };
 
 /// Emits the spans of the outline of the ellipse in a box that lie in `window`, top row first: one or two a row.
@@ -85,7 +84,7 @@ impl AnyBorder {
     #[inline(always)]
     fn new(radii: (i64, i64), at: (i64, i64), count: u32, outer: bool) -> Self {
         match size_of(radii, 1) {
-            Size::Small if !COMPACT => Self::Small(Border::new(radii, at, count, outer)),
+            Size::Small if NARROW => Self::Small(Border::new(radii, at, count, outer)),
             Size::Large => Self::Large(Border::new(radii, at, count, outer)),
             _ => Self::Medium(Border::new(radii, at, count, outer)),
         }
