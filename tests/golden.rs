@@ -3,9 +3,8 @@
 //! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
-#[path = "support/golden.rs"]
+#[path = "golden/compare.rs"]
 mod pictures;
-mod support;
 
 use std::convert::Infallible;
 

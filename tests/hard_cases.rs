@@ -7,8 +7,6 @@
     reason = "coordinates of small windows, made to fit"
 )]
 
-mod support;
-
 use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Gray8, Rgb888},
@@ -18,9 +16,8 @@ use embedded_raster::{
     raster::{line, polygon, rectangle, triangle},
     Canvas, EdgeSlot, EdgeTableFull, FillRule, Framebuffer, Index1, PointFx, Rect, Surface,
 };
-use support::{
-    assert_runs, collect, corners, hits::Hits, picture, rng::Rng, runs_where, tiles, twins, vertices, Run, Units,
-    TILE_SIZES,
+use twins::{
+    assert_runs, collect, corners, hits::Hits, picture, rng::Rng, runs_where, tiles, vertices, Run, Units, TILE_SIZES,
 };
 
 const WINDOW: Rect = Rect::new(-2, -2, 34, 30);
@@ -579,7 +576,7 @@ fn lines_through_a_screen_one_pixel_wide() {
         for (a, b) in [(a, b), (b, a)] {
             let mut ram = [0_u8; 8];
             Framebuffer::<Gray8>::new(&mut ram, 1, 8).expect("eight bytes").draw_line(a, b, Gray8::new(1));
-            let wanted = support::twins::line((a.x, a.y), (b.x, b.y), Rect::new(0, 0, 1, 8));
+            let wanted = twins::line((a.x, a.y), (b.x, b.y), Rect::new(0, 0, 1, 8));
             let painted: Vec<_> = (0..8).filter(|&y| ram[y] != 0).map(|y| (0, y as i32)).collect();
             let mut sorted = wanted.clone();
             sorted.sort_by_key(|p| p.1);

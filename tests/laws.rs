@@ -9,8 +9,6 @@
     reason = "coordinates of small windows, made to fit"
 )]
 
-mod support;
-
 use std::marker::PhantomData;
 
 use embedded_graphics_core::{
@@ -27,7 +25,7 @@ use embedded_raster::{
     surface::{paged_bytes, Counter, Paged},
     BufferError, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Span, Surface,
 };
-use support::{
+use twins::{
     frame::{Kind, Of, Shape},
     memory::{color, pixels, Format, Naive},
     rng::Rng,

@@ -10,8 +10,6 @@
     reason = "any bits will do"
 )]
 
-mod support;
-
 use std::{convert::Infallible, hint::black_box};
 
 use embedded_graphics_core::{
@@ -42,7 +40,7 @@ use embedded_raster::{
     Join, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke, Surface,
 };
 use fixed::types::{I16F16, I24F8};
-use support::{memory::color, rng::Rng};
+use twins::{memory::color, rng::Rng};
 
 /// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
 const EXTREMES: [i32; 21] = [

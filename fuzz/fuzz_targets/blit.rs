@@ -2,8 +2,6 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_graphics_core::{
     geometry::Point,
@@ -12,7 +10,7 @@ use embedded_graphics_core::{
 use embedded_raster::{pixel::Lsb0, Index1, Index2, Index4, Index8, PixelFormat, Rect};
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::{
+use twins::{
     frame::Frame,
     memory::{Format, Naive},
     rng::Rng,

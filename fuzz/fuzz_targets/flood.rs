@@ -2,14 +2,12 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::raster::flood::{fill, Connectivity, FloodSlot};
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::letters::Letters;
+use twins::letters::Letters;
 
 fuzz_target!(|data: &[u8]| {
     let mut input = Input(data);

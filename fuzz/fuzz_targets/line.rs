@@ -2,13 +2,10 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::raster::line;
 use libfuzzer_sys::fuzz_target;
-use support::twins;
 
 fuzz_target!(|data: &[u8]| {
     let mut input = input::Input(data);

@@ -2,8 +2,6 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_graphics_core::{
     geometry::Point,
@@ -15,7 +13,7 @@ use embedded_raster::{
 };
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::{
+use twins::{
     frame::Frame,
     memory::{Format, Naive},
     rng::Rng,

@@ -2,8 +2,6 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_raster::{
     raster::{outline, polygon},
@@ -12,13 +10,13 @@ use embedded_raster::{
 use fixed::types::I24F8;
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::{
+use twins::{
     assert_runs, collect,
     curves::{outlines, places, segments, Piece},
     outlines::outline_pixels,
     runs_where,
     strokes::{Pattern, Pen},
-    twins, Run, Units,
+    Run, Units,
 };
 
 /// What the twins, which walk the whole way, can do in time: within 512 pixels of the window.

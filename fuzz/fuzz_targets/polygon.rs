@@ -2,12 +2,10 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_raster::{raster::polygon, EdgeSlot, EdgeTableFull, FillRule};
 use libfuzzer_sys::fuzz_target;
-use support::{assert_runs, collect, twins, vertices, Units};
+use twins::{assert_runs, collect, vertices, Units};
 
 fuzz_target!(|data: &[u8]| {
     let mut input = input::Input(data);

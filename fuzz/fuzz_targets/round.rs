@@ -2,8 +2,6 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_raster::{
     raster::{arc, ellipse, rounded},
@@ -12,10 +10,10 @@ use embedded_raster::{
 use fixed::types::I24F8;
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::{
+use twins::{
     assert_runs, collect,
     rounds::{from_box, rounded_has, rounded_outline_has, sector_has},
-    runs_where, twins,
+    runs_where,
 };
 
 fuzz_target!(|data: &[u8]| {

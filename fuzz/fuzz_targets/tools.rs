@@ -3,8 +3,6 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_raster::{
     geom::{clip, exact, polygon, Viewport},
@@ -12,10 +10,11 @@ use embedded_raster::{
 };
 use input::Input;
 use libfuzzer_sys::fuzz_target;
-use support::{
+use twins::{
     meshes::{check, determinant, Wide},
-    tools::{clip_twin, contains_twin, convex_twin, map_twin, wide},
-    twins, vertices, Units,
+    polygon_contains,
+    tools::{clip_twin, convex_twin, map_twin},
+    vertices, wide, Units,
 };
 
 fuzz_target!(|data: &[u8]| {
@@ -59,7 +58,7 @@ fn polygons(input: &mut Input<'_>, window: Rect) {
     }
     for rule in [FillRule::NonZero, FillRule::EvenOdd] {
         let got = polygon::contains(&places, rule, PointFx::from_bits(at.0, at.1));
-        assert_eq!(got, contains_twin(&contours, rule, at), "{at:?} {rule:?} {contours:?}");
+        assert_eq!(got, polygon_contains(&contours, rule, at), "{at:?} {rule:?} {contours:?}");
     }
 }
 

@@ -2,12 +2,10 @@
 #![no_main]
 
 mod input;
-#[path = "../../tests/support/mod.rs"]
-mod support;
 
 use embedded_raster::raster::triangle;
 use libfuzzer_sys::fuzz_target;
-use support::{assert_runs, collect, corners, twins};
+use twins::{assert_runs, collect, corners};
 
 fuzz_target!(|data: &[u8]| {
     let mut input = input::Input(data);

@@ -3,7 +3,8 @@
 use std::convert::Infallible;
 
 use embedded_graphics::{pixelcolor::BinaryColor, prelude::*};
-use embedded_raster::Rect;
+use embedded_raster::raster::flood::Connectivity;
+use twins::letters::Letters;
 
 use crate::{
     engine::{memory, triangles::given, Engine},
@@ -76,7 +77,7 @@ impl Judge for Line {
     type Drawn = Mask;
 
     fn truth(&self) -> Self::Truth {
-        TrueLine::new(self.a.into(), self.b.into()).pixels(WINDOW)
+        twins::line(self.a.into(), self.b.into(), WINDOW)
     }
 
     fn pixels(truth: &Self::Truth) -> usize {
@@ -171,10 +172,7 @@ impl Judge for Oval {
 
     /// The centres inside of the curve or on it.
     fn truth(&self) -> Mask {
-        let Rect { x0, y0, x1, y1 } = self.area;
-        let (a2, b2) = (i128::from(self.area.width()).pow(2), i128::from(self.area.height()).pow(2));
-        let twice = |n: i32, low: i32, high: i32| (2 * i128::from(n) + 1 - i128::from(low) - i128::from(high)).pow(2);
-        let inside = |x: i32, y: i32| twice(x, x0, x1) * b2 + twice(y, y0, y1) * a2 <= a2 * b2;
+        let inside = |x: i32, y: i32| twins::box_ellipse_has(self.area, x, y);
         Mask::from_pixels((0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| inside(x, y)))
     }
 
@@ -193,16 +191,9 @@ impl Judge for Pool {
 
     /// Breadth first.
     fn truth(&self) -> Mask {
-        let mut filled = vec![false; self.walls.len()];
-        let mut queue = std::collections::VecDeque::from([(self.seed.x, self.seed.y)]);
-        while let Some((x, y)) = queue.pop_front() {
-            let place = (y * WIDTH + x) as usize;
-            if WINDOW.contains(x, y) && !self.walls[place] && !filled[place] {
-                filled[place] = true;
-                queue.extend([(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]);
-            }
-        }
-        Mask::from_pixels(filled.into_iter())
+        let picture = Letters::new(WIDTH, HEIGHT, |i| !self.walls[i as usize]);
+        let flooded = picture.flooded((self.seed.x, self.seed.y), Connectivity::Sides);
+        Mask::from_pixels(flooded.pixels.iter().zip(&picture.pixels).map(|(now, before)| now != before))
     }
 
     fn pixels(truth: &Mask) -> usize {

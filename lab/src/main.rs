@@ -18,7 +18,6 @@ mod judge;
 mod oracle;
 mod plot;
 mod report;
-mod rng;
 mod shape;
 mod workload;
 

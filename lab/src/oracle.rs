@@ -1,13 +1,21 @@
-//! The truth: which pixels a shape has, by the rules of the crate's documentation, word for word, in integers so wide that
-//! nothing can overflow or be rounded. Slow on purpose; it shares no arithmetic with what is measured.
+//! The truth: which pixels a shape has, by the twins' rules in the lab's finer units, and how far what was painted is from
+//! it. Slow on purpose; it shares no arithmetic with what is measured.
 
-use embedded_raster::Rect;
+use embedded_raster::FillRule;
+use twins::{
+    curves::{bezier, distance},
+    Place,
+};
 
-use crate::shape::{Units, BITS, ONE};
+use crate::shape::{Units, ONE};
+
+fn wide((x, y): Units) -> Place {
+    (x.into(), y.into())
+}
 
 /// The centre of a pixel in units.
 fn centre(pixel: i32) -> i128 {
-    (i128::from(pixel) << BITS) + (1 << (BITS - 1))
+    twins::centre(pixel, ONE.into())
 }
 
 /// A line from one pixel to another.
@@ -52,23 +60,6 @@ impl TrueLine {
         0 <= k && k <= self.major.abs() && 2 * self.distance_times_length(x, y) <= self.major.abs()
     }
 
-    /// The pixels that the rule chooses, `m(k) = floor((2 k db + da) / (2 da))`, those in the window only.
-    pub(crate) fn pixels(self, window: Rect) -> Vec<(i32, i32)> {
-        let (low, high) = if self.steep { (window.y0, window.y1) } else { (window.x0, window.x1) };
-        (low..high).filter_map(|along| self.chosen(along)).filter(|&(x, y)| window.contains(x, y)).collect()
-    }
-
-    /// The pixel of a column (or row, if it is steep).
-    fn chosen(self, along: i32) -> Option<(i32, i32)> {
-        let (k, _) = self.offsets(along, along);
-        let (da, db) = (self.major.abs(), self.minor.abs());
-        let m = if da == 0 { 0 } else { (2 * k * db + da).div_euclid(2 * da) };
-        let from = if self.steep { self.a.0 } else { self.a.1 };
-        let aside = i32::try_from(if self.minor < 0 { from - m } else { from + m }).ok()?;
-        let pixel = if self.steep { (aside, along) } else { (along, aside) };
-        (0 <= k && k <= da).then_some(pixel)
-    }
-
     /// The pixel in the same column (or row, if it is steep) one step aside.
     pub(crate) fn beside(self, (x, y): (i32, i32), step: i32) -> (i32, i32) {
         if self.steep {
@@ -79,39 +70,21 @@ impl TrueLine {
     }
 }
 
-/// Positive on the inner side of the side from a to b of a triangle with positive area.
-fn edge_function(a: Units, b: Units, (px, py): (i128, i128)) -> i128 {
-    let (ax, ay, bx, by) = (i128::from(a.0), i128::from(a.1), i128::from(b.0), i128::from(b.1));
-    (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+/// Is the centre of a pixel inside a triangle?
+pub(crate) fn triangle_has(corners: [Units; 3], x: i32, y: i32) -> bool {
+    twins::wide_triangle_has(corners.map(wide), ONE.into(), x, y)
 }
 
-/// Is the centre of a pixel inside, a centre on a side counting as if it stood at (+e, +e^2)?
-pub(crate) fn triangle_has([a, b, c]: [Units; 3], x: i32, y: i32) -> bool {
-    let (b, c) = match edge_function(a, b, (c.0.into(), c.1.into())) {
-        0 => return false,
-        area if area < 0 => (c, b),
-        _ => (b, c),
-    };
-    let inside = |from: Units, to: Units| match edge_function(from, to, (centre(x), centre(y))) {
-        0 => to.1 < from.1 || (to.1 == from.1 && to.0 > from.0),
-        e => e > 0,
-    };
-    inside(a, b) && inside(b, c) && inside(c, a)
+/// The sides of a closed outline that cross the centres of a row.
+pub(crate) fn sides_on_row(outline: &[Units], y: i32) -> Vec<(Place, Place)> {
+    let sides = twins::sides_of(outline).map(|(a, b)| (wide(a), wide(b)));
+    sides.filter(|&side| twins::crosses(side, centre(y))).collect()
 }
 
-/// The sides of a closed outline that cross row y, `y0 <= cy < y1`, each from its upper to its lower end.
-pub(crate) fn sides_on_row(outline: &[Units], y: i32) -> Vec<(Units, Units)> {
-    let next = outline.iter().cycle().skip(1);
-    let downwards = |(&a, &b): (&Units, &Units)| if a.1 <= b.1 { (a, b) } else { (b, a) };
-    let crosses = |&(a, b): &(Units, Units)| i128::from(a.1) <= centre(y) && centre(y) < i128::from(b.1);
-    outline.iter().zip(next).map(downwards).filter(crosses).collect()
-}
-
-/// Is the centre of pixel x inside by the even-odd rule: is the number of sides at or left of it odd?
-pub(crate) fn polygon_has(sides_on_row: &[(Units, Units)], x: i32, y: i32) -> bool {
-    // On the right side of a side that goes down, or on it, the edge function is not positive.
-    let left = |&&(a, b): &&(Units, Units)| edge_function(a, b, (centre(x), centre(y))) <= 0;
-    sides_on_row.iter().filter(left).count() % 2 == 1
+/// Is the centre of pixel x inside by the even-odd rule?
+pub(crate) fn polygon_has(sides_on_row: &[(Place, Place)], x: i32, y: i32) -> bool {
+    let crossings = twins::crossings_at(sides_on_row.iter().copied(), (centre(x), centre(y)));
+    twins::is_inside(FillRule::EvenOdd, crossings)
 }
 
 /// A cubic Bézier curve as chords in `f64`, so many that none is further than 1/5000 pixel from it. In pixels.
@@ -120,25 +93,12 @@ pub(crate) fn chords(points: [Units; 4]) -> Vec<(f64, f64)> {
     // A chord of one n-th of the time is off by at most 3/4 of the larger second difference, divided by n^2.
     let bend = |p: (f64, f64), q: (f64, f64), r: (f64, f64)| (p.0 - 2.0 * q.0 + r.0).hypot(p.1 - 2.0 * q.1 + r.1);
     let n = (0.75 * 5_000.0 * bend(a, c, d).max(bend(c, d, b))).sqrt().ceil().max(1.0);
-    let at = |i: u32| {
-        let t = f64::from(i) / n;
-        let s = 1.0 - t;
-        let sum = |a: f64, c: f64, d: f64, b: f64| s * s * s * a + 3.0 * s * t * (s * c + t * d) + t * t * t * b;
-        (sum(a.0, c.0, d.0, b.0), sum(a.1, c.1, d.1, b.1))
-    };
-    (0..=n as u32).map(at).collect()
+    (0..=n as u32).map(|i| bezier(vec![a, c, d, b], f64::from(i) / n)).collect()
 }
 
 /// How far a place is from the nearest of some lines.
 pub(crate) fn distance_to<'a>(p: (f64, f64), lines: impl Iterator<Item = &'a [(f64, f64)]>) -> f64 {
-    let to_line = |line: &[(f64, f64)]| {
-        let [a, b] = [line[0], line[1]];
-        let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
-        let square = dx * dx + dy * dy;
-        let t = if square == 0.0 { 0.0 } else { ((px * dx + py * dy) / square).clamp(0.0, 1.0) };
-        (px - t * dx).hypot(py - t * dy)
-    };
-    lines.map(to_line).fold(f64::INFINITY, f64::min)
+    lines.map(|line| distance(p, line[0], line[1])).fold(f64::INFINITY, f64::min)
 }
 
 /// Where the centre of a pixel is, seen from the border of a shape.
@@ -175,7 +135,10 @@ pub(crate) fn stroke_has(a: (i32, i32), b: (i32, i32), width: u16, round: bool, 
 
 #[cfg(test)]
 mod tests {
+    use embedded_raster::Rect;
+
     use super::*;
+    use crate::shape::BITS;
 
     /// Whole pixels to units.
     fn px((x, y): (i64, i64)) -> Units {
@@ -192,13 +155,13 @@ mod tests {
         let line = TrueLine::new((20, 41), (30, 44));
         let rows = [41, 41, 42, 42, 42, 43, 43, 43, 43, 44, 44];
         let wanted: Vec<_> = (20..).zip(rows).collect();
-        assert_eq!(line.pixels(Rect::new(0, 0, 99, 99)), wanted);
+        assert_eq!(twins::line((20, 41), (30, 44), Rect::new(0, 0, 99, 99)), wanted);
         assert!(wanted.iter().all(|&(x, y)| line.is_nearest(x, y)), "a chosen pixel is a nearest one");
         // Half a pixel from both at step 5: a tie.
         assert!(line.is_nearest(25, 42) && line.is_nearest(25, 43), "a tie has two nearest pixels");
         assert!((line.distance(25, 42) - 0.5).abs() < 1e-12, "and both are half a pixel away");
         assert!(!line.is_nearest(19, 41) && !line.is_nearest(31, 44), "nothing beyond the ends");
-        assert_eq!(line.pixels(Rect::new(0, 0, 99, 42)), wanted[..2], "nor beyond the window");
+        assert_eq!(twins::line((20, 41), (30, 44), Rect::new(0, 0, 99, 42)), wanted[..2], "nor beyond the window");
     }
 
     #[test]
@@ -207,7 +170,7 @@ mod tests {
         {
             let (a, b) = ((20, 20), (20 + dx, 20 + dy));
             let line = TrueLine::new(a, b);
-            let pixels = line.pixels(Rect::new(0, 0, 40, 40));
+            let pixels = twins::line(a, b, Rect::new(0, 0, 40, 40));
             assert_eq!(pixels.len() as i32, dx.abs().max(dy.abs()) + 1, "({dx}, {dy})");
             assert!(pixels.contains(&a) && pixels.contains(&b), "both ends of ({dx}, {dy})");
             assert!(pixels.iter().all(|&(x, y)| line.is_nearest(x, y)), "({dx}, {dy})");

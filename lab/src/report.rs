@@ -261,7 +261,7 @@ const INTRODUCTION: &str = "\
 Everything is drawn on 320 x 240 pixels: RGB565, tiny-skia on its own 32-bit pixmap. The textbook algorithms and the rows \
 that name a function of `raster` paint into a plain `Vec<u16>`; `Canvas` rows paint into this crate's `Framebuffer`. Cost is \
 that of drawing: shapes are converted and paths are built beforehand. Pixels are those that the true shape has on the \
-screen. Error is judged against 128-bit integers (`lab/src/oracle.rs`); random shapes, the same in every run.\n";
+screen. Error is judged against 128-bit integers (`twins`, `lab/src/oracle.rs`); random shapes, the same in every run.\n";
 
 const NOTES: &str = "\
 ## Notes\n\n\

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use embedded_graphics::geometry::Point;
 use embedded_raster::Rect;
+use twins::rng::Rng;
 
 use crate::{
     frame::{HEIGHT, WIDTH},
-    rng::Rng,
     shape::{Blob, Curve, Job, Line, Oval, Polygon, Pool, Thick, Thin, Triangle, Units, ONE, SPRITE},
 };
 
@@ -27,7 +27,7 @@ impl<S> Workload<S> {
         hard: bool,
         mut make: impl FnMut(&mut Rng) -> S,
     ) -> Self {
-        let mut rng = Rng::new(name.bytes().map(u64::from).sum());
+        let mut rng = Rng::with_state(name.bytes().map(u64::from).sum());
         Self { name, shapes: (0..judged.max(timed)).map(|_| make(&mut rng)).collect(), timed, hard }
     }
 
@@ -409,7 +409,7 @@ pub(crate) fn meshes(quick: bool) -> Vec<Mesh> {
 
 /// Cells of 20 pixels with shaken corners, each cut along one of its diagonals; it reaches beyond the screen all round.
 fn grid(seed: u64, place: impl Fn((f64, f64)) -> Units) -> Vec<Triangle> {
-    let mut rng = Rng::new(seed);
+    let mut rng = Rng::with_state(seed);
     let (columns, rows) = (WIDTH / 20 + 3, HEIGHT / 20 + 3);
     let mut shaken = |i: i32| f64::from(20 * (i - 1)) + 8.0 * rng.unit() - 4.0;
     let corners: Vec<Vec<_>> =
@@ -428,7 +428,7 @@ fn grid(seed: u64, place: impl Fn((f64, f64)) -> Units) -> Vec<Triangle> {
 
 /// Twenty-four triangles around a place on the screen, each reaching far off it.
 fn fan(seed: u64) -> Vec<Triangle> {
-    let mut rng = Rng::new(seed);
+    let mut rng = Rng::with_state(seed);
     let (middle, start) = (somewhere(&mut rng, 20.0), rng.unit());
     let mut rim: Vec<_> = (0..24).map(|i| units(polar(middle, start + f64::from(i) / 24.0, 28_000.0))).collect();
     rim.push(rim[0]);

@@ -14,14 +14,7 @@ const SWITCHES: [&str; 2] = ["embedded_raster_compact", "embedded_raster_small_c
 
 /// What [`check`] tests in each build that is switched: arguments of `cargo test`, of one call in each line. Filters go
 /// behind `--` and hold for all tests of their line.
-const SWITCHED_TESTS: &[&[&str]] = &[&[
-    "--test=exact_lines",
-    "--test=exact_triangles",
-    "--test=exact_polygons",
-    "--test=exact_ellipses",
-    "--test=laws",
-    "--test=golden",
-]];
+const SWITCHED_TESTS: &[&[&str]] = &[&["--test=raster", "--test=laws", "--test=golden"]];
 
 /// All that a change must pass, in some minutes.
 pub fn check() -> Result<()> {

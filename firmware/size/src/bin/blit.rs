@@ -2,6 +2,8 @@
 #![no_std]
 #![no_main]
 
+use embedded_raster::Canvas;
+
 board::entry!(main);
 
 fn main() {

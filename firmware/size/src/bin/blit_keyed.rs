@@ -3,6 +3,7 @@
 #![no_main]
 
 use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::Canvas;
 
 board::entry!(main);
 

@@ -4,6 +4,7 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::raster::flood::{Connectivity, FloodSlot};
+use embedded_raster::Canvas;
 
 board::entry!(main);
 

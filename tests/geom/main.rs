@@ -1,0 +1,5 @@
+//! Shapes as numbers, against their rules in wide integers.
+
+mod tools;
+mod triangulate;
+mod values;

@@ -1,0 +1,240 @@
+//! Arcs, sectors, rings and rounded rectangles, pixel by pixel.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::cast_lossless,
+    reason = "tests mix widths on purpose"
+)]
+
+use embedded_raster::{
+    raster::{
+        arc::{self, Sector},
+        ellipse::Ellipse,
+        rounded::{self, Radii},
+    },
+    Angle, Canvas, PointFx, Rect,
+};
+use fixed::types::I24F8;
+use twins::{
+    assert_runs, collect,
+    rng::Rng,
+    rounds::{from_box, rounded_has, rounded_outline_has, sector_has},
+    runs_where,
+    scenes::window_near,
+    tiles, Run, TILE_SIZES,
+};
+
+fn check(area: Rect, inner: Rect, (start, end): (Angle, Angle), window: Rect) {
+    let sector = Sector::new(start, end);
+    let (outer, hole) = (Ellipse::in_box(area), Ellipse::in_box(inner));
+    let inside = |x: i32, y: i32| sector_has(start, end, from_box(area, x, y));
+    let what = |name: &str| format!("{name} {area:?} {inner:?} from {start:?} to {end:?}");
+
+    let got = collect(window, |emit| arc::outline(area, sector, window, emit));
+    let wanted = runs_where(window, |x, y| twins::outline_has(area, x, y) && inside(x, y));
+    assert_runs(window, &got, &wanted, || what("arc"));
+    let got = collect(window, |emit| arc::fill(outer, sector, window, emit));
+    let wanted = runs_where(window, |x, y| twins::box_ellipse_has(area, x, y) && inside(x, y));
+    assert_runs(window, &got, &wanted, || what("sector"));
+    let ring = |x, y| twins::box_ellipse_has(area, x, y) && !twins::box_ellipse_has(inner, x, y);
+    let got = collect(window, |emit| arc::ring(outer, hole, window, emit));
+    assert_runs(window, &got, &runs_where(window, ring), || what("ring"));
+    let got = collect(window, |emit| arc::ring_sector(outer, hole, sector, window, emit));
+    let wanted = runs_where(window, |x, y| ring(x, y) && inside(x, y));
+    assert_runs(window, &got, &wanted, || what("sector of a ring"));
+}
+
+fn part(n: u32) -> Angle {
+    Angle::from_bits(n << 26)
+}
+
+/// Every start and end in 1/64 turns, for diameters up to 12.
+#[test]
+fn every_arc_of_64ths() {
+    let mut rng = Rng::new(401);
+    for size in 1..=12 {
+        let area = Rect::new(1, 0, 1 + size, size);
+        let window = Rect::new(0, -1, 14, 13);
+        let width = rng.int(0, size / 2);
+        let inner = Rect::new(1 + width, width, 1 + size - width, size - width);
+        for start in 0..64 {
+            for end in 0..64 {
+                check(area, inner, (part(start), part(end)), window);
+            }
+        }
+    }
+}
+
+#[test]
+fn random_arcs() {
+    let mut rng = Rng::new(402);
+    for i in 0..40_000 {
+        let bits = rng.range(1, 31);
+        let size = |rng: &mut Rng| ((1_i64 << bits) + rng.range(-3, 3)).clamp(1, (1 << 32) - 1);
+        let (width, height) = (size(&mut rng), if i % 2 == 0 { size(&mut rng) } else { 1 + rng.range(0, 40) });
+        let place = |rng: &mut Rng, size: i64| {
+            let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX) - size);
+            rng.pick(&[low, high, 0]).clamp(low, high)
+        };
+        let (x0, y0) = (place(&mut rng, width), place(&mut rng, height));
+        let area = Rect::new(x0 as i32, y0 as i32, (x0 + width) as i32, (y0 + height) as i32);
+        let thick = rng.range(0, 9).min(width.min(height) / 2);
+        let inner = Rect::new(
+            (x0 + thick) as i32,
+            (y0 + thick) as i32,
+            (x0 + width - thick) as i32,
+            (y0 + height - thick) as i32,
+        );
+        let angle = |rng: &mut Rng| match rng.below(3) {
+            0 => part(rng.below(64) as u32),
+            1 => part(rng.below(64) as u32).plus(rng.int(-2, 2)),
+            _ => Angle::from_bits(rng.bits() as u32),
+        };
+        let (start, end) = (angle(&mut rng), angle(&mut rng));
+        let (x, y) = match rng.below(3) {
+            0 => (x0 + width / 2, y0 + height / 2),
+            1 => (x0 + width / 2, y0),
+            _ => {
+                let turn = f64::from(start.to_bits()) / 4_294_967_296.0 * std::f64::consts::TAU;
+                let on = |from: i64, size: i64, part: f64| from + size / 2 + (part * 0.5 * size as f64) as i64;
+                (on(x0, width, turn.cos()), on(y0, height, turn.sin()))
+            }
+        };
+        check(area, inner, (start, end), window_near(&mut rng, x, y));
+    }
+}
+
+/// Sectors that follow each other draw every pixel once, wherever the centre lies.
+#[test]
+fn pies_are_whole() {
+    let mut rng = Rng::new(403);
+    let window = Rect::new(-12, -12, 13, 13);
+    for _ in 0..2_000 {
+        let centre = PointFx::from_bits(128 * rng.int(-4, 4), 128 * rng.int(-4, 4) + rng.int(0, 1));
+        let pie = Ellipse::circle(centre, I24F8::from_bits(rng.int(1, 2_500)));
+        let mut angles: Vec<u32> = (0..rng.range(2, 7)).map(|_| rng.bits() as u32 & 0xfc00_0000).collect();
+        angles.sort_unstable();
+        angles.dedup();
+        let mut hits = twins::hits::Hits::new(window);
+        for (i, &start) in angles.iter().enumerate() {
+            let end = angles[(i + 1) % angles.len()];
+            if start == end {
+                continue;
+            }
+            let sector = Sector::new(Angle::from_bits(start), Angle::from_bits(end));
+            hits.add(&collect(window, |emit| arc::fill(pie, sector, window, emit)));
+        }
+        if angles.len() > 1 {
+            let whole = collect(window, |emit| embedded_raster::raster::ellipse::fill(pie, window, emit));
+            assert_runs(window, &hits.runs(), &whole, || format!("{angles:?} around {centre:?}"));
+        }
+    }
+}
+
+fn check_rounded(area: Rect, radii: Radii, window: Rect) {
+    let filled = |x, y| rounded_has(area, radii, x, y);
+    let border = |x, y| rounded_outline_has(area, radii, x, y);
+    let got = collect(window, |emit| rounded::fill(area, radii, window, emit));
+    assert_runs(window, &got, &runs_where(window, filled), || format!("filled {area:?} {radii:?}"));
+    let mut hits = twins::hits::Hits::new(window);
+    hits.fill_rounded(area, radii, embedded_graphics_core::pixelcolor::BinaryColor::On);
+    assert_runs(window, &hits.runs(), &runs_where(window, filled), || format!("canvas {area:?} {radii:?}"));
+    let got = collect(window, |emit| rounded::outline(area, radii, window, emit));
+    assert_runs(window, &got, &runs_where(window, border), || format!("outline of {area:?} {radii:?}"));
+}
+
+#[test]
+fn rounded_rectangles_of_small_sizes() {
+    let mut rng = Rng::new(404);
+    for width in 0..=26 {
+        for height in 0..=26 {
+            let area = Rect::new(2, -1, 2 + width, height - 1);
+            let window = Rect::new(0, -2, width + 4, height);
+            for radius in 0..=14 {
+                check_rounded(area, Radii::all(radius), window);
+            }
+            for _ in 0..20 {
+                let mut r = || rng.below(16) as u32;
+                let radii = Radii { top_left: r(), top_right: r(), bottom_right: r(), bottom_left: r() };
+                check_rounded(area, radii, window);
+                let (x, y) = (rng.range(0, 26), rng.range(0, 26));
+                check_rounded(area, radii, window_near(&mut rng, x, y));
+            }
+        }
+    }
+}
+
+#[test]
+fn rounded_rectangles_of_every_size() {
+    let mut rng = Rng::new(405);
+    for _ in 0..60_000 {
+        let size = |rng: &mut Rng| ((1_i64 << rng.range(0, 32)) + rng.range(-3, 3)).clamp(1, (1 << 32) - 1);
+        let (width, height) = (size(&mut rng), size(&mut rng));
+        let place = |rng: &mut Rng, size: i64| {
+            let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX) - size);
+            rng.pick(&[low, high, 0, 100]).clamp(low, high)
+        };
+        let (x0, y0) = (place(&mut rng, width), place(&mut rng, height));
+        let area = Rect::new(x0 as i32, y0 as i32, (x0 + width) as i32, (y0 + height) as i32);
+        let mut r = || rng.pick(&[0, 1, 5, 300, 20_000, 1 << 16, 1 << 30, u32::MAX]).wrapping_sub(rng.below(3) as u32);
+        let radii = Radii { top_left: r(), top_right: r(), bottom_right: r(), bottom_left: r() };
+        // Near a corner, along a diagonal of it, where the curve is.
+        let limit = i64::from(radii.top_left).min(width.min(height) / 2);
+        let inset = (limit as f64 * 0.292_893) as i64;
+        let (x, y) = match rng.below(4) {
+            0 => (x0, y0),
+            1 => (x0 + inset, y0 + inset),
+            2 => (x0 + width - 1 - inset, y0 + inset),
+            _ => (x0 + width - 1, y0 + height - 1),
+        };
+        check_rounded(area, radii, window_near(&mut rng, x, y));
+    }
+}
+
+#[test]
+fn tiles_of_every_size_show_the_same() {
+    let mut rng = Rng::new(406);
+    let whole = Rect::new(-9, -5, 39, 31);
+    for _ in 0..40 {
+        let mut at = |low, high| rng.int(low, high);
+        let (x, y) = (at(-20, 30), at(-20, 20));
+        let area = Rect::new(x, y, x + at(1, 60), y + at(1, 50));
+        let radii = Radii { top_left: at(0, 30) as u32, bottom_right: at(0, 30) as u32, ..Radii::all(7) };
+        let sector = Sector::new(Angle::degrees(at(0, 360)), Angle::degrees(at(0, 360)));
+        let (outer, inner) =
+            (Ellipse::in_box(area), Ellipse::circle(PointFx::px(x + 9, y + 9), I24F8::from_bits(at(1, 4_000))));
+        let shapes: [&dyn Fn(Rect) -> Vec<Run>; 5] = [
+            &|window| collect(window, |emit| rounded::fill(area, radii, window, emit)),
+            &|window| collect(window, |emit| rounded::outline(area, radii, window, emit)),
+            &|window| collect(window, |emit| arc::outline(area, sector, window, emit)),
+            &|window| collect(window, |emit| arc::fill(inner, sector, window, emit)),
+            &|window| collect(window, |emit| arc::ring_sector(outer, inner, sector, window, emit)),
+        ];
+        for (kind, shape) in shapes.iter().enumerate() {
+            let wanted = shape(whole);
+            for size in TILE_SIZES {
+                let mut hits = twins::hits::Hits::new(whole);
+                for tile in tiles(whole, size) {
+                    hits.add(&shape(tile));
+                }
+                assert_runs(whole, &hits.runs(), &wanted, || format!("kind {kind} of {area:?} in {size:?}"));
+            }
+        }
+    }
+}
+
+/// The picture of the documentation.
+#[test]
+fn picture() {
+    let area = Rect::new(0, 0, 11, 6);
+    let radii = Radii { top_left: 3, top_right: 3, bottom_right: 1, bottom_left: 2 };
+    let all = "###########\n".repeat(4);
+    let got = twins::picture(area, &collect(area, |emit| rounded::fill(area, radii, area, emit)));
+    assert_eq!(got, format!(".#########.\n{all}.##########\n"));
+    let sides = "#.........#\n".repeat(4);
+    let got = twins::picture(area, &collect(area, |emit| rounded::outline(area, radii, area, emit)));
+    assert_eq!(got, format!(".#########.\n{sides}.##########\n"));
+}

@@ -1,0 +1,11 @@
+//! Geometry to spans: every shape against its twin, pixel by pixel.
+
+mod arc;
+mod ellipse;
+mod exactly_once;
+mod flood;
+mod line;
+mod path;
+mod polygon;
+mod stroke;
+mod triangle;

@@ -1,0 +1,352 @@
+//! Strokes: every pixel against the pieces that the rule makes in integers of 128 bits, and against the plane's own measure:
+//! how far a place is from the line.
+
+use std::collections::HashSet;
+
+use embedded_raster::{raster::polygon, Cap, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke};
+use fixed::types::I24F8;
+use twins::{
+    assert_runs, collect,
+    curves::{distance, outlines, places, random_path, segments, Outline, Piece},
+    rng::Rng,
+    scenes::{outline, window_on, Scale},
+    strokes::{Pattern, Pen},
+    vertices, Run, Units,
+};
+
+const CAPS: [Cap; 3] = [Cap::Butt, Cap::Square, Cap::Round];
+const JOINS: [Join; 3] = [Join::Miter, Join::Bevel, Join::Round];
+const PX: i32 = 256;
+
+fn stroke(pen: Pen) -> Stroke {
+    Stroke::new(I24F8::from_bits(pen.width))
+        .with_cap(pen.cap)
+        .with_join(pen.join)
+        .with_miter_limit(I24F8::from_bits(pen.limit))
+}
+
+fn path_pixels(pieces: &[Piece], pen: Pen, window: Rect) -> Vec<Run> {
+    let path = segments(pieces);
+    let parts = stroke(pen).of_path(Path::new(&path), window);
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+}
+
+fn polyline_pixels(units: &[Units], closed: bool, pen: Pen, window: Rect) -> Vec<Run> {
+    let places = vertices(units);
+    let parts = stroke(pen).of_polyline(&places, closed, window);
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+}
+
+fn polyline(units: &[Units], closed: bool) -> Outline {
+    Outline { places: units.to_vec(), smooth: vec![false; units.len()], closed }
+}
+
+fn random_pen(rng: &mut Rng, widest: i32) -> Pen {
+    let width = match rng.below(6) {
+        0 => rng.pick(&[0, 1, 2, 255, 256, 257, 512]),
+        1 | 2 => rng.int(1, 1_500),
+        _ => rng.int(1, widest),
+    };
+    let limit = rng.pick(&[0, 256, 300, 1024, 1024, 2560, 0xffff]);
+    Pen { width, cap: rng.pick(&CAPS), join: rng.pick(&JOINS), limit }
+}
+
+fn paths(scale: Scale, count: usize, widest: i32) {
+    let mut rng = Rng::new(500 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..count {
+        let path = random_path(&mut rng, scale, 2);
+        let pen = random_pen(&mut rng, widest);
+        let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
+        let contours = pen.parts(&outlines(&path));
+        let wanted = twins::polygon(&contours, FillRule::NonZero, window);
+        let got = path_pixels(&path, pen, window);
+        assert_runs(window, &got, &wanted, || format!("{pen:?} {path:?}"));
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen > count / 8, "only {seen} strokes were seen");
+}
+
+#[test]
+fn tiny_paths() {
+    paths(Scale::Tiny, 8_000, 5_000);
+}
+
+#[test]
+fn screen_paths() {
+    paths(Scale::Screen, 1_500, 12_000);
+}
+
+#[test]
+fn paths_of_a_hundred_screens() {
+    paths(Scale::Hundred, 300, 900_000);
+}
+
+#[test]
+fn paths_at_the_ends_of_the_type() {
+    paths(Scale::Ends, 60, 1 << 24);
+}
+
+#[test]
+fn polylines() {
+    let mut rng = Rng::new(510);
+    for i in 0..8_000 {
+        let n = 1 + rng.index(6);
+        let units = outline(&mut rng, Scale::ALL[i % 4], n);
+        let (pen, closed) = (random_pen(&mut rng, 6_000), rng.one_in(2));
+        let window = window_on(&mut rng, &units);
+        let wanted = twins::polygon(&pen.parts(&[polyline(&units, closed)]), FillRule::NonZero, window);
+        let got = polyline_pixels(&units, closed, pen, window);
+        assert_runs(window, &got, &wanted, || format!("{pen:?} closed {closed} {units:?}"));
+    }
+}
+
+/// Drawn backwards, a stroke is the same.
+#[test]
+fn direction_does_not_matter() {
+    let mut rng = Rng::new(511);
+    let window = Rect::new(-2, -2, 40, 34);
+    for _ in 0..4_000 {
+        let n = 2 + rng.index(4);
+        let mut units: Vec<Units> = (0..n).map(|_| (rng.int(-500, 9_000), rng.int(-500, 8_000))).collect();
+        // The fan of a round join begins on one of both sides.
+        let pen = Pen { join: rng.pick(&[Join::Miter, Join::Bevel]), ..random_pen(&mut rng, 3_000) };
+        let pen = Pen { cap: rng.pick(&[Cap::Butt, Cap::Square]), ..pen };
+        let closed = rng.one_in(2);
+        let wanted = polyline_pixels(&units, closed, pen, window);
+        units.reverse();
+        assert_runs(window, &polyline_pixels(&units, closed, pen, window), &wanted, || format!("{pen:?} {units:?}"));
+    }
+}
+
+/// With everything round a stroke is what lies within half a width of its line. Pixels that are farther than 1/8 pixel (and the
+/// rounding of vertices) from the border agree.
+#[test]
+fn round_strokes_are_what_is_near_the_line() {
+    let mut rng = Rng::new(512);
+    let window = Rect::new(0, 0, 40, 32);
+    let mut far = 0;
+    for _ in 0..3_000 {
+        let n = 1 + rng.index(5);
+        let units: Vec<Units> = (0..n).map(|_| (rng.int(-2_000, 12_000), rng.int(-2_000, 10_000))).collect();
+        let pen = Pen { cap: Cap::Round, join: Join::Round, ..random_pen(&mut rng, 4_000) };
+        let runs = polyline_pixels(&units, false, pen, window);
+        let painted: HashSet<(i32, i32)> = runs.iter().flat_map(|r| (r.1..r.2).map(|x| (x, r.0))).collect();
+        let float = |p: Units| (f64::from(p.0), f64::from(p.1));
+        for y in window.y0..window.y1 {
+            for x in window.x0..window.x1 {
+                let centre = float((x * PX + 128, y * PX + 128));
+                let near = units
+                    .iter()
+                    .zip(units.iter().skip(1).chain(units.last()))
+                    .map(|(&a, &b)| distance(centre, float(a), float(b)))
+                    .fold(f64::MAX, f64::min);
+                let out = near - f64::from(pen.width) / 2.0;
+                if !(-32.5..=2.0).contains(&out) {
+                    assert_eq!(painted.contains(&(x, y)), out < 0.0, "({x}, {y}) {out} of {pen:?} {units:?}");
+                    far += 1;
+                }
+            }
+        }
+    }
+    assert!(far > 1_000_000, "only {far} pixels were far from the border");
+}
+
+/// Butt and square ends: along the line and across it.
+#[test]
+fn lines_are_rectangles() {
+    let mut rng = Rng::new(513);
+    let window = Rect::new(0, 0, 40, 32);
+    for _ in 0..4_000 {
+        let [a, b] = [(); 2].map(|()| (rng.int(0, 10_000), rng.int(0, 8_000)));
+        let pen = Pen { cap: rng.pick(&[Cap::Butt, Cap::Square]), ..random_pen(&mut rng, 3_000) };
+        let runs = polyline_pixels(&[a, b], false, pen, window);
+        let (dx, dy) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
+        let (length, half) = (dx.hypot(dy), f64::from(pen.width) / 2.0);
+        let more = if pen.cap == Cap::Square { half } else { 0.0 };
+        for y in window.y0..window.y1 {
+            for x in window.x0..window.x1 {
+                let (px, py) = (f64::from(x * PX + 128 - a.0), f64::from(y * PX + 128 - a.1));
+                let (along, across) = ((px * dx + py * dy) / length, (px * dy - py * dx) / length);
+                let out = (across.abs() - half).max(-more - along).max(along - length - more);
+                if out.abs() > 2.9 {
+                    let painted = runs.iter().any(|r| r.0 == y && r.1 <= x && x < r.2);
+                    assert_eq!(painted, out < 0.0, "({x}, {y}) {out} of {pen:?} {a:?} {b:?}");
+                }
+            }
+        }
+    }
+}
+
+/// How many pieces the pixels fall into, corners counting as neighbours.
+fn islands(runs: &[Run]) -> usize {
+    let mut left: HashSet<(i32, i32)> = runs.iter().flat_map(|r| (r.1..r.2).map(|x| (x, r.0))).collect();
+    let mut count = 0;
+    while let Some(&start) = left.iter().next() {
+        count += 1;
+        let mut stack = vec![start];
+        left.remove(&start);
+        while let Some((x, y)) = stack.pop() {
+            for (dx, dy) in [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)] {
+                if left.remove(&(x + dx, y + dy)) {
+                    stack.push((x + dx, y + dy));
+                }
+            }
+        }
+    }
+    count
+}
+
+/// One pixel wide, at any angle and any place: never a gap. From each pixel of a side or near its ends, as far as caps,
+/// bevels and round joins go, one of the next two along the side is painted too. Only the tip of a long miter, thinner than a
+/// pixel, may hit a pixel that stands alone.
+#[test]
+fn a_width_of_one_pixel_stays_connected() {
+    let mut rng = Rng::new(514);
+    let window = Rect::new(-4, -4, 60, 52);
+    for i in 0..40_000 {
+        let n = if i % 2 == 0 { 2 } else { 2 + rng.index(4) };
+        let mut units: Vec<Units> = (0..n).map(|_| (rng.int(0, 14_000), rng.int(0, 12_000))).collect();
+        if rng.one_in(3) {
+            // Nearly horizontal, vertical, diagonal.
+            let (x, y) = (rng.int(-3, 3), rng.int(-3, 3));
+            let far = rng.int(500, 5_000);
+            let (dx, dy) = rng.pick(&[(far, 0), (0, far), (far, far)]);
+            units = vec![units[0], (units[0].0 + dx + x, units[0].1 + dy + y)];
+        }
+        let pen = Pen { width: 256, cap: rng.pick(&CAPS), join: rng.pick(&JOINS[1..]), limit: 1024 };
+        let runs = polyline_pixels(&units, false, pen, window);
+        assert!(islands(&runs) <= 1, "{pen:?} {units:?}\n{}", twins::picture(window, &runs));
+    }
+}
+
+/// Overlaps are painted once, and tiles show the same.
+#[test]
+fn tiles_show_the_same_stroke() {
+    let mut rng = Rng::new(515);
+    let whole = Rect::new(-3, -3, 45, 37);
+    for _ in 0..150 {
+        let path = random_path(&mut rng, Scale::Tiny, 3);
+        let pen = random_pen(&mut rng, 3_000);
+        let all = path_pixels(&path, pen, whole);
+        for size in twins::TILE_SIZES {
+            let mut hits = twins::hits::Hits::new(whole);
+            for tile in twins::tiles(whole, size) {
+                hits.add(&path_pixels(&path, pen, tile));
+            }
+            assert_runs(whole, &hits.runs(), &all, || format!("{pen:?} {path:?} in tiles of {size:?}"));
+        }
+    }
+}
+
+/// Pieces that a window does not show are not made.
+#[test]
+fn work_depends_on_the_window() {
+    let mut rng = Rng::new(516);
+    let mut most = 0;
+    for _ in 0..2_000 {
+        let path = segments(&random_path(&mut rng, Scale::Ends, 1));
+        let pen = Pen { width: 1000, ..random_pen(&mut rng, 1000) };
+        let window = Rect::new(0, 0, 48, 40);
+        most = most.max(stroke(pen).of_path(Path::new(&path), window).count());
+    }
+    assert!(most < 400, "{most} pieces for a window");
+}
+
+#[test]
+fn vertices_of_pieces() {
+    let pieces = |cap, join| -> Vec<Vec<PointFx>> {
+        let corner = [PointFx::px(0, 0), PointFx::px(10, 0), PointFx::px(10, 10)];
+        let stroke = Stroke::px(2).with_cap(cap).with_join(join);
+        stroke.of_polyline(&corner, false, Rect::new(0, 0, 20, 20)).map(Iterator::collect).collect()
+    };
+    let px = |list: &[(i32, i32)]| list.iter().map(|&(x, y)| PointFx::px(x, y)).collect::<Vec<_>>();
+    let (first, second) = (px(&[(0, 1), (10, 1), (10, -1), (0, -1)]), px(&[(9, 0), (9, 10), (11, 10), (11, 0)]));
+    assert_eq!(pieces(Cap::Butt, Join::Bevel), [first.clone(), px(&[(10, 0), (11, 0), (10, -1)]), second.clone()]);
+    let miter = px(&[(10, 0), (11, 0), (11, -1), (10, -1)]);
+    assert_eq!(pieces(Cap::Butt, Join::Miter), [first.clone(), miter.clone(), second.clone()]);
+    let caps = [px(&[(0, -1), (-1, -1), (-1, 1), (0, 1)]), px(&[(9, 10), (9, 11), (11, 11), (11, 10)])];
+    assert_eq!(pieces(Cap::Square, Join::Miter), [caps[0].clone(), first, miter, second, caps[1].clone()]);
+}
+
+fn dashed_pixels(pieces: &[Piece], pen: Pen, pattern: &Pattern, window: Rect) -> Vec<Run> {
+    let path = segments(pieces);
+    let lengths: Vec<I24F8> = pattern.lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
+    let stroke = stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
+    let parts = stroke.of_path(Path::new(&path), window);
+    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
+    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+}
+
+fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {
+    let mut rng = Rng::new(520 + scale as u64);
+    let mut seen = 0;
+    for _ in 0..count {
+        let mut path = random_path(&mut rng, scale, 2);
+        let all = [places(&path), vec![(0, 0)]].concat();
+        path.insert(0, Piece::Move(all[0]));
+        let pen = random_pen(&mut rng, 2_000);
+        let n = 1 + rng.index(5);
+        let mut lengths: Vec<i32> = (0..n).map(|_| rng.int(least, most)).collect();
+        if n > 1 && rng.one_in(3) {
+            lengths[n - 1] = rng.pick(&[0, -5]);
+        }
+        let phase = if rng.one_in(3) { 0 } else { rng.int(-3 * most.min(1 << 29), 3 * most.min(1 << 29)) };
+        let pattern = Pattern { lengths, phase };
+        let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
+        let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
+        let got = dashed_pixels(&path, pen, &pattern, window);
+        assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen > count / 10, "only {seen} strokes were seen");
+}
+
+#[test]
+fn dashes_on_tiny_paths() {
+    dashes(Scale::Tiny, 2_500, (17, 900));
+}
+
+#[test]
+fn dashes_on_a_screen() {
+    dashes(Scale::Screen, 300, (500, 9_000));
+}
+
+#[test]
+fn dashes_on_a_hundred_screens() {
+    dashes(Scale::Hundred, 100, (50_000, 900_000));
+}
+
+#[test]
+fn dashes_at_the_ends_of_the_type() {
+    dashes(Scale::Ends, 40, (1 << 24, i32::MAX));
+}
+
+/// Lines without end cost what the window shows of them, down to dashes of 1/16 pixel.
+#[test]
+fn dashes_beside_the_window_are_skipped() {
+    let mut rng = Rng::new(521);
+    let window = Rect::new(0, 0, 48, 40);
+    let lengths = [8, 8].map(I24F8::from_bits);
+    for _ in 0..2_000 {
+        let far = |rng: &mut Rng| rng.pick(&[i32::MIN, i32::MAX, -(1 << 30), 5_000, 1 << 24]);
+        let line = [(); 2].map(|()| PointFx::from_bits(far(&mut rng), far(&mut rng)));
+        let stroke = Stroke::px(3).dashed(&lengths, I24F8::ZERO);
+        let count = stroke.of_polyline(&line, false, window).count();
+        assert!(count < 16 * 150, "{count} pieces of {line:?}");
+    }
+}
+
+/// A dash ends out of sight on a curve that comes back: the next one does not begin with a join to it.
+#[test]
+fn dashes_that_end_out_of_sight() {
+    let curve = Piece::Cubic((1_376_258, 166_522), (1_379_338, 172_282), (1_376_526, 163_842));
+    let path = [Piece::Move((1_376_256, 163_840)), curve];
+    let pen = Pen { width: 793, cap: Cap::Butt, join: Join::Bevel, limit: 2560 };
+    let pattern = Pattern { lengths: vec![892, 892, 900, 900], phase: 5040 };
+    let window = Rect::new(5376, 640, 5385, 654);
+    let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
+    assert_runs(window, &dashed_pixels(&path, pen, &pattern, window), &wanted, || "dashes".into());
+}

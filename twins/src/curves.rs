@@ -1,0 +1,224 @@
+//! Paths and their flattening, word for word, in integers of 128 bits.
+
+use embedded_raster::{PathSegment, PointFx};
+
+use super::{rng::Rng, scenes::outline, scenes::Scale, Units};
+
+/// A segment in plain units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// Starts a contour.
+    Move(Units),
+    /// To a place.
+    Line(Units),
+    /// By a control point.
+    Quadratic(Units, Units),
+    /// By two control points.
+    Cubic(Units, Units, Units),
+    /// Back to the start of the contour.
+    Close,
+}
+
+/// The same path as the crate takes it.
+pub fn segments(pieces: &[Piece]) -> Vec<PathSegment> {
+    let v = |p: Units| PointFx::from_bits(p.0, p.1);
+    let segment = |piece: &Piece| match *piece {
+        Piece::Move(a) => PathSegment::MoveTo(v(a)),
+        Piece::Line(a) => PathSegment::LineTo(v(a)),
+        Piece::Quadratic(a, b) => PathSegment::QuadraticTo(v(a), v(b)),
+        Piece::Cubic(a, b, c) => PathSegment::CubicTo(v(a), v(b), v(c)),
+        Piece::Close => PathSegment::Close,
+    };
+    pieces.iter().map(segment).collect()
+}
+
+/// A contour as vertices, each with whether the path is smooth there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outline {
+    /// The vertices.
+    pub places: Vec<Units>,
+    /// Whether the path is smooth at each.
+    pub smooth: Vec<bool>,
+    /// Whether the last is joined to the first.
+    pub closed: bool,
+}
+
+/// The contours of a path, curves flattened.
+pub fn outlines(pieces: &[Piece]) -> Vec<Outline> {
+    let mut all = vec![];
+    let mut start = (0, 0);
+    let mut open: Option<Outline> = None;
+    for piece in pieces {
+        if let Piece::Move(to) = piece {
+            all.extend(open.take());
+            start = *to;
+            continue;
+        }
+        let outline = open.get_or_insert_with(|| Outline { places: vec![start], smooth: vec![false], closed: false });
+        let from = *outline.places.last().expect("it has a start");
+        let points = match *piece {
+            Piece::Line(a) => vec![from, a],
+            Piece::Quadratic(a, b) => vec![from, a, b],
+            Piece::Cubic(a, b, c) => vec![from, a, b, c],
+            Piece::Close | Piece::Move(_) => {
+                outline.closed = true;
+                all.extend(open.take());
+                continue;
+            }
+        };
+        let places = if points.len() == 2 { vec![points[1]] } else { flattened(&points) };
+        let last = places.len() - 1;
+        outline.smooth.extend((0..places.len()).map(|i| i != last));
+        outline.places.extend(places);
+    }
+    all.extend(open);
+    all
+}
+
+/// The whole time of a curve.
+pub const END: i128 = 1 << 20;
+
+/// The times, in units of 2^-20, at which the pieces of a curve end.
+pub fn times(points: &[Units]) -> Vec<i128> {
+    let mut all = vec![];
+    halve(points, 0, END, &mut all);
+    all
+}
+
+fn halve(points: &[Units], from: i128, to: i128, all: &mut Vec<i128>) {
+    match parts(points, from, to) {
+        None => {
+            let middle = from + (to - from) / 2;
+            halve(points, from, middle, all);
+            halve(points, middle, to, all);
+        }
+        // To the nearest; there is no half.
+        Some(m) => all.extend((1..=m).map(|i| from + (2 * i * (to - from) + m) / (2 * m))),
+    }
+}
+
+/// How many pieces of equal time a part of a curve is cut into, as `geom::flatten` tells; `None` if it is halved instead.
+fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
+    let length = to - from;
+    // Of h^2 P''/2, at a time in units of 2^-20 / 3.
+    let bend = |time: i128, coordinate: fn(&Units) -> i32| {
+        let p: Vec<i128> = points.iter().map(|p| i128::from(coordinate(p))).collect();
+        let second = |i: usize| p[i] - 2 * p[i + 1] + p[i + 2];
+        // P'' is 2 times the second difference of a quadratic curve; of a cubic one 6 times what lies between its two.
+        let half =
+            if p.len() == 3 { 3 * END * second(0) } else { 3 * ((3 * END - time) * second(0) + time * second(1)) };
+        (half * length * length).div_euclid(3 * END * END * END)
+    };
+    let is_small = |w: &(i128, i128)| [w.0, w.1].iter().all(|n| (-(1 << 15)..1 << 15).contains(n));
+    let [u, v] = [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)));
+    if !is_small(&u) || !is_small(&v) {
+        return None;
+    }
+    let (a, b) = (point(points, from), point(points, to));
+    let mut chord = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+    let mut scale = 1;
+    while chord.0.abs().max(chord.1.abs()) >= 1 << 15 {
+        (chord, scale) = ((chord.0 / 2, chord.1 / 2), 2 * scale);
+    }
+    let square = chord.0 * chord.0 + chord.1 * chord.1;
+    let four_d = 4 * 32;
+    let cross = |w: (i128, i128)| w.0 * chord.1 - w.1 * chord.0;
+    let flat = [u, v].iter().all(|&w| {
+        if square >= four_d * four_d {
+            let along = w.0 * chord.0 + w.1 * chord.1;
+            (cross(w).abs() / four_d).pow(2) <= square && along.abs() / scale <= square
+        } else {
+            w.0 * w.0 + w.1 * w.1 <= four_d * four_d
+        }
+    });
+    if flat {
+        return Some(1);
+    }
+    let ends = [(2 * u.0 - v.0, 2 * u.1 - v.1), (2 * v.0 - u.0, 2 * v.1 - u.1)];
+    let longer = ends.map(|w| w.0 * w.0 + w.1 * w.1).into_iter().max()?;
+    if !ends.iter().all(is_small) {
+        return None;
+    }
+    let m = (1..=16).find(|m| (four_d * m * m).pow(2) >= longer)?;
+    // (4 |W x c|)^2 against the other one.
+    let across = |w: (i128, i128)| (cross(w).pow(2) > (longer * square) / 16).then_some(cross(w) < 0);
+    let even = across(ends[0]).is_some() && across(ends[0]) == across(ends[1]);
+    (m == 2 || even).then_some(m)
+}
+
+/// The vertices of a curve after the first: the point at the end of each piece, rounded to nearest, halves upwards.
+pub fn flattened(points: &[Units]) -> Vec<Units> {
+    times(points).into_iter().map(|t| point(points, t)).collect()
+}
+
+/// The point of a curve at `t / 2^20`, by Bernstein's polynomials.
+fn point(points: &[Units], t: i128) -> Units {
+    let s = (1 << 20) - t;
+    let weights = match points.len() {
+        3 => vec![s * s, 2 * s * t, t * t],
+        _ => vec![s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t],
+    };
+    let one = weights.iter().sum::<i128>();
+    let sum = |coordinate: fn(&Units) -> i32| {
+        let sum: i128 = points.iter().zip(&weights).map(|(p, w)| i128::from(coordinate(p)) * w).sum();
+        (2 * sum + one).div_euclid(2 * one) as i32
+    };
+    (sum(|p| p.0), sum(|p| p.1))
+}
+
+/// A point of a curve in `f64`.
+pub fn true_point(points: &[Units], t: f64) -> (f64, f64) {
+    bezier(points.iter().map(|p| (f64::from(p.0), f64::from(p.1))).collect(), t)
+}
+
+/// A point of a curve in any units, by de Casteljau's construction.
+pub fn bezier(mut p: Vec<(f64, f64)>, t: f64) -> (f64, f64) {
+    while p.len() > 1 {
+        p = p.windows(2).map(|w| (w[0].0 + (w[1].0 - w[0].0) * t, w[0].1 + (w[1].1 - w[0].1) * t)).collect();
+    }
+    p[0]
+}
+
+/// How far a place is from the line between two others.
+#[inline]
+pub fn distance(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
+    let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
+    let square = dx * dx + dy * dy;
+    let t = if square == 0.0 { 0.0 } else { ((px * dx + py * dy) / square).clamp(0.0, 1.0) };
+    (px - t * dx).hypot(py - t * dy)
+}
+
+/// A path of a few pieces, with a liking for trouble: points that coincide, moves and closes at odd places.
+pub fn random_path(rng: &mut Rng, scale: Scale, most: usize) -> Vec<Piece> {
+    let n = 1 + rng.index(most);
+    let places = outline(rng, scale, 3 * n + 1);
+    let mut pieces = if rng.one_in(12) { vec![] } else { vec![Piece::Move(places[0])] };
+    for p in places[1..].chunks(3) {
+        match rng.below(14) {
+            0 => pieces.push(Piece::Move(p[0])),
+            1 => pieces.push(Piece::Close),
+            2 | 3 => pieces.push(Piece::Line(p[0])),
+            4 => pieces.extend([Piece::Line(p[0]), Piece::Cubic(p[0], p[1], p[1])]),
+            5..=8 => pieces.push(Piece::Quadratic(p[0], p[1])),
+            _ => pieces.push(Piece::Cubic(p[0], p[1], p[2])),
+        }
+    }
+    if rng.one_in(3) {
+        pieces.push(Piece::Close);
+    }
+    pieces
+}
+
+/// Some place that a path names.
+pub fn places(pieces: &[Piece]) -> Vec<Units> {
+    let mut all = vec![];
+    for piece in pieces {
+        match *piece {
+            Piece::Move(a) | Piece::Line(a) => all.push(a),
+            Piece::Quadratic(a, b) => all.extend([a, b]),
+            Piece::Cubic(a, b, c) => all.extend([a, b, c]),
+            Piece::Close => {}
+        }
+    }
+    all
+}
