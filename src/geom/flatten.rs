@@ -75,6 +75,8 @@ use crate::{
     tune::COMPACT,
 };
 
+/// Whether small curves are followed in 32 bits; built for size, all are in 64.
+const NARROW: bool = !COMPACT;
 /// 4 D is `2^7` units: the tolerance D is 32 of them.
 const FOUR_D_BITS: u32 = 7;
 /// Times are in units of `2^-20`.
@@ -263,7 +265,7 @@ impl Bezier {
     }
 
     fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), is_inside: bool) -> Self {
-        let is_small = !COMPACT && x.is_small() && y.is_small();
+        let is_small = NARROW && x.is_small() && y.is_small();
         let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
         Self { x, y, part, last: start, ahead: (END, end), is_inside, is_small }
     }

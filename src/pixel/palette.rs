@@ -117,6 +117,9 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
     }
 }
 
+/// Whether sixteen pixels are written at a time.
+const ROUNDS: bool = !COMPACT;
+
 /// Pixels of `N` bytes each, out of 1, 2, 4 or 8-bit indices.
 #[inline(always)]
 fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
@@ -133,11 +136,11 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
     };
     // Sixteen pixels to a round. What is left over is shorter, and may end within a byte.
     let (bytes_per_round, size) = (2 * I::BITS as usize, N * per_byte);
-    let rounds = if COMPACT { 0 } else { (indices.len() / bytes_per_round).min(out.len() / (16 * N)) };
+    let rounds = if ROUNDS { (indices.len() / bytes_per_round).min(out.len() / (16 * N)) } else { 0 };
     let indices = indices.split_at_checked(rounds.wrapping_mul(bytes_per_round));
     let out = out.split_at_mut_checked(rounds.wrapping_mul(16 * N));
     let (Some((all_bytes, indices)), Some((all_places, out))) = (indices, out) else { return };
-    if !COMPACT {
+    if ROUNDS {
         for (bytes, round) in all_bytes.chunks_exact(bytes_per_round).zip(all_places.chunks_exact_mut(16 * N)) {
             for i in 0..bytes_per_round {
                 let at = i.wrapping_mul(size);

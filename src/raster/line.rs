@@ -30,6 +30,9 @@ use crate::{
     tune::COMPACT,
 };
 
+/// Built for size, the visible part is searched: no divisions, no products.
+const SEARCHED: bool = COMPACT;
+
 /// Emits the pixels of the line from `a` to `b` that lie in `window`, both ends included.
 ///
 /// Cannot fail, for any coordinates and any window.
@@ -68,7 +71,7 @@ pub fn extent(a: Point, b: Point) -> Rect {
 /// ```
 #[inline]
 pub fn clip(a: Point, b: Point, window: Rect) -> Option<Steps> {
-    if COMPACT {
+    if SEARCHED {
         // Tested here, where the compiler may know the window.
         if window.is_empty() {
             return None;

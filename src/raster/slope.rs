@@ -27,6 +27,9 @@ use crate::{
     tune::{COMPACT, DIVIDES},
 };
 
+/// Whether small sides have a way of their own, in 32 bits.
+const NARROW: bool = !COMPACT;
+
 /// A side from one end to the other, not horizontal.
 #[derive(Copy, Clone)]
 pub(super) struct Slope {
@@ -78,7 +81,7 @@ impl Slope {
     /// Below 2^16 units in width and height.
     #[inline(always)]
     pub(super) fn is_small(self) -> bool {
-        !COMPACT && (self.to.0.abs_diff(self.from.0) | self.dy.get()) < 1 << 16
+        NARROW && (self.to.0.abs_diff(self.from.0) | self.dy.get()) < 1 << 16
     }
 
     /// From where it starts down to the centre of row y, which it crosses: at most dy, and negative if it goes up.
@@ -121,9 +124,9 @@ impl Slope {
     /// Any size, with one product that needs 64 bits: the crossing in units, `x + r / dy`, is found from the end that is
     /// further left, so that nothing is negative.
     ///
-    /// If r is 0, x is taken one unit less. Then `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, where
-    /// f is the remainder of the first division and r - 1 is taken modulo dy.
-    #[cfg_attr(not(compact), cold)]
+    /// With one unit less in x where r = 0, `k = floor((x + 128) / 256)` and `M mod dy = floor((f dy + r - 1) / 256)`, f
+    /// being the remainder of that division and r - 1 being taken modulo dy.
+    #[cold]
     #[inline(never)]
     fn any(from: (i32, i32), to: (i32, i32), height: NonZeroU32, y: i32) -> Stepper {
         let ((ax, ay), (bx, _)) = if from.1 < to.1 { (from, to) } else { (to, from) };

@@ -17,6 +17,9 @@ use crate::{
     tune::COMPACT,
 };
 
+/// Whether a line that stays in its row is drawn as a span.
+const FLAT_AS_SPANS: bool = !COMPACT;
+
 impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     type Color = L::Color;
 
@@ -43,7 +46,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: L::Color) {
-        if let Some(span) = steps.one_row().filter(|_| !COMPACT) {
+        if let Some(span) = steps.one_row().filter(|_| FLAT_AS_SPANS) {
             return self.fill_span(span, color);
         }
         let (x, y) = steps.first();

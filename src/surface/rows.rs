@@ -19,6 +19,9 @@ use crate::{
     tune::COMPACT,
 };
 
+/// Whether corridors are filled in memory, where pixels take whole bytes.
+const CORRIDORS: bool = !COMPACT;
+
 /// Rows of pixels of the format `F` in borrowed memory: the usual surface.
 /// ```
 /// use embedded_graphics_core::geometry::Point;
@@ -160,7 +163,7 @@ impl<F: PixelFormat> Layout for Rows<F> {
         color: F::Color,
         is_open: impl Fn(F::Color) -> bool,
     ) -> Option<i32> {
-        if COMPACT || F::BITS < 8 {
+        if !CORRIDORS || F::BITS < 8 {
             return None;
         }
         let place = |y: usize, x: usize| start(grid, y).wrapping_add(x.wrapping_mul((F::BITS / 8) as usize));

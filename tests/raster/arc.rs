@@ -20,7 +20,7 @@ use embedded_raster::{
 use fixed::types::I24F8;
 use twins::{
     assert_runs, collect,
-    rng::Rng,
+    rng::{cases, Rng},
     rounds::{from_box, rounded_has, rounded_outline_has, sector_has},
     runs_where,
     scenes::window_near,
@@ -71,7 +71,7 @@ fn every_arc_of_64ths() {
 #[test]
 fn random_arcs() {
     let mut rng = Rng::new(402);
-    for i in 0..40_000 {
+    for i in 0..cases(40_000) {
         let bits = rng.range(1, 31);
         let size = |rng: &mut Rng| ((1_i64 << bits) + rng.range(-3, 3)).clamp(1, (1 << 32) - 1);
         let (width, height) = (size(&mut rng), if i % 2 == 0 { size(&mut rng) } else { 1 + rng.range(0, 40) });
@@ -112,7 +112,7 @@ fn random_arcs() {
 fn pies_are_whole() {
     let mut rng = Rng::new(403);
     let window = Rect::new(-12, -12, 13, 13);
-    for _ in 0..2_000 {
+    for _ in 0..cases(2_000) {
         let centre = PointFx::from_bits(128 * rng.int(-4, 4), 128 * rng.int(-4, 4) + rng.int(0, 1));
         let pie = Ellipse::circle(centre, I24F8::from_bits(rng.int(1, 2_500)));
         let mut angles: Vec<u32> = (0..rng.range(2, 7)).map(|_| rng.bits() as u32 & 0xfc00_0000).collect();
@@ -170,7 +170,7 @@ fn rounded_rectangles_of_small_sizes() {
 #[test]
 fn rounded_rectangles_of_every_size() {
     let mut rng = Rng::new(405);
-    for _ in 0..60_000 {
+    for _ in 0..cases(60_000) {
         let size = |rng: &mut Rng| ((1_i64 << rng.range(0, 32)) + rng.range(-3, 3)).clamp(1, (1 << 32) - 1);
         let (width, height) = (size(&mut rng), size(&mut rng));
         let place = |rng: &mut Rng, size: i64| {

@@ -13,7 +13,11 @@ use embedded_raster::{
     raster::{polygon, triangle},
     EdgeSlot, FillRule, Rect,
 };
-use twins::{collect, corners, crossings, rng::Rng, twice_area, vertices, Run, Units};
+use twins::{
+    collect, corners, crossings,
+    rng::{cases, Rng},
+    twice_area, vertices, Run, Units,
+};
 
 /// Corners of triangles, each turning the same way, and the outline of them all.
 struct Mesh {
@@ -183,9 +187,9 @@ fn flip(rng: &mut Rng, triangles: &mut [[Units; 3]]) {
 
 /// Random meshes of a kind, a good part of them without a fold.
 fn many(seed: u64, meshes: usize, make: impl Fn(&mut Rng) -> Mesh) {
-    let mut rng = Rng::new(seed);
+    let (meshes, mut rng) = (cases(meshes), Rng::new(seed));
     let proper = (0..meshes).filter(|_| check(&make(&mut rng), WINDOW)).count();
-    assert!(proper > meshes / 4, "only {proper} of {meshes} meshes have no fold");
+    assert!(proper >= meshes / 4, "only {proper} of {meshes} meshes have no fold");
 }
 
 #[test]
@@ -212,7 +216,7 @@ fn grids_with_flipped_sides() {
 #[test]
 fn folded_meshes_cancel_out() {
     let mut rng = Rng::new(94);
-    for _ in 0..3_000 {
+    for _ in 0..cases(3_000) {
         check(&grid(&mut rng, 2_000, 0), WINDOW);
     }
 }
@@ -221,7 +225,7 @@ fn folded_meshes_cancel_out() {
 #[test]
 fn large_meshes_far_away() {
     let mut rng = Rng::new(95);
-    for _ in 0..3_000 {
+    for _ in 0..cases(3_000) {
         let mut mesh = if rng.one_in(2) { fan(&mut rng) } else { grid(&mut rng, 90, 30) };
         let scale = rng.pick(&[1, 37, 9_999, 200_000]);
         let (x, y) = (rng.int(-500_000_000, 500_000_000), rng.int(-500_000_000, 500_000_000));
@@ -239,7 +243,7 @@ fn large_meshes_far_away() {
 #[test]
 fn polygons_along_a_common_border() {
     let mut rng = Rng::new(96);
-    for _ in 0..4_000 {
+    for _ in 0..cases(4_000) {
         let snap = snap(&mut rng);
         let border: Vec<Units> =
             (0..rng.range(2, 14)).map(|_| (snap(rng.int(900, 5_000)), snap(rng.int(0, 6_000)))).collect();

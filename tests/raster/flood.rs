@@ -21,7 +21,10 @@ use embedded_raster::{
     surface::{paged_bytes, Paged},
     Canvas, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Surface,
 };
-use twins::{letters::Letters, rng::Rng};
+use twins::{
+    letters::Letters,
+    rng::{cases, Rng},
+};
 
 const REACHES: [Connectivity; 2] = [Connectivity::Sides, Connectivity::Corners];
 
@@ -85,7 +88,7 @@ fn every_seed_of_3_x_4() {
 #[test]
 fn noise() {
     let mut rng = Rng::new(301);
-    for _ in 0..12_000 {
+    for _ in 0..cases(12_000) {
         let (width, height) = (rng.int(1, 24), rng.int(1, 18));
         let density = rng.range(20, 95) as u64;
         let mut picture = Letters::new(width, height, |_| rng.below(100) < density);

@@ -13,7 +13,7 @@ use twins::{
     assert_runs, collect,
     curves::{distance, flattened, outlines, places, random_path, segments, times, true_point, Outline, Piece, END},
     outlines::outline_pixels,
-    rng::Rng,
+    rng::{cases, Rng},
     scenes::{outline, window_on, Scale},
     Run, Units,
 };
@@ -48,7 +48,7 @@ fn filled(pieces: &[Piece], rule: FillRule, window: Rect, capacity: usize) -> Ve
 fn vertices_are_the_nearest_to_the_curve() {
     let mut rng = Rng::new(400);
     for scale in Scale::ALL {
-        for _ in 0..if scale == Scale::Ends { 100 } else { 6_000 } {
+        for _ in 0..if scale == Scale::Ends { 100 } else { cases(6_000) } {
             let path = random_path(&mut rng, scale, 4);
             assert_eq!(contours(&path), wanted_contours(&path), "{path:?}");
         }
@@ -60,7 +60,8 @@ fn vertices_are_the_nearest_to_the_curve() {
 fn outlines_are_the_contours() {
     let mut rng = Rng::new(411);
     let (mut fitted, mut many_vertices, mut many_starts) = (0, 0, 0);
-    for i in 0..20_000 {
+    let count = cases(20_000);
+    for i in 0..count {
         let (path, wanted) = (random_path(&mut rng, Scale::ALL[i % 3], 5), vec![]);
         let segments = segments(&path);
         let wanted = Path::new(&segments).contours().fold(wanted, |mut all: Vec<Vec<PointFx>>, contour| {
@@ -89,7 +90,7 @@ fn outlines_are_the_contours() {
         }
     }
     let counts = [fitted, many_vertices, many_starts];
-    assert!(counts.iter().all(|&n| n > 200), "{counts:?}");
+    assert!(counts.iter().all(|&n| n >= count / 100), "{counts:?}");
 }
 
 /// How far a curve gets from the chord of the piece between two times, in `f64`.
@@ -208,7 +209,7 @@ fn the_number_of_pieces_is_bounded() {
 fn work_depends_on_the_window() {
     let mut rng = Rng::new(402);
     let mut most = 0;
-    for _ in 0..5_000 {
+    for _ in 0..cases(5_000) {
         let path = random_path(&mut rng, Scale::Ends, 1);
         let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
         let path = segments(&path);
@@ -232,14 +233,14 @@ fn check_fill(path: &[Piece], window: Rect) -> bool {
 
 fn fills(scale: Scale, count: usize) {
     let mut rng = Rng::new(410 + scale as u64);
-    let mut seen = 0;
+    let (count, mut seen) = (cases(count), 0);
     for _ in 0..count {
         let path = random_path(&mut rng, scale, 3);
         let all = places(&path);
         let window = if all.is_empty() { Rect::new(-4, -4, 9, 9) } else { window_on(&mut rng, &all) };
         seen += usize::from(check_fill(&path, window));
     }
-    assert!(seen > count / 8, "only {seen} paths were seen");
+    assert!(seen >= count / 8, "only {seen} paths were seen");
 }
 
 #[test]
@@ -296,7 +297,7 @@ fn drawn(path: &[Piece], window: Rect) -> Vec<(i32, i32)> {
 
 fn thin(scale: Scale, count: usize) {
     let mut rng = Rng::new(420 + scale as u64);
-    let mut seen = 0;
+    let (count, mut seen) = (cases(count), 0);
     for _ in 0..count {
         let mut path = random_path(&mut rng, scale, 3);
         // The twin walks the whole way, which is not to begin in the middle of the plane.
@@ -310,7 +311,7 @@ fn thin(scale: Scale, count: usize) {
         assert_eq!(drawn(&path, window), wanted, "{path:?} in {window:?}");
         seen += usize::from(!wanted.is_empty());
     }
-    assert!(seen > count / 4, "only {seen} outlines were seen");
+    assert!(seen >= count / 4, "only {seen} outlines were seen");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use embedded_raster::{
 use twins::{
     assert_runs, collect, corners,
     hits::Hits,
-    rng::Rng,
+    rng::{cases, Rng},
     runs_where,
     scenes::{outline, window_on, Scale},
     tiles, vertices, Run, Units, TILE_SIZES,
@@ -77,13 +77,13 @@ fn window_for(rng: &mut Rng, contours: &[Vec<Units>]) -> Rect {
 
 fn random(scale: Scale) {
     let mut rng = Rng::new(30 + scale as u64);
-    let mut seen = 0;
-    for _ in 0..POLYGONS {
+    let (count, mut seen) = (cases(POLYGONS), 0);
+    for _ in 0..count {
         let contours = random_polygon(&mut rng, scale);
         let window = window_for(&mut rng, &contours);
         seen += usize::from(check(&contours, window));
     }
-    assert!(seen > POLYGONS / 4, "only {seen} polygons were seen");
+    assert!(seen >= count / 4, "only {seen} polygons were seen");
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn polygons_at_the_ends_of_the_type() {
 #[test]
 fn scribbles() {
     let mut rng = Rng::new(41);
-    for i in 0..3_000 {
+    for i in 0..cases(3_000) {
         let n = 10 + rng.index(71);
         let step = rng.pick(&[1, 13, 64, 128, 256]);
         let contour: Vec<Units> = (0..n).map(|_| (rng.int(-3, 20) * step, rng.int(-3, 20) * step)).collect();
@@ -122,7 +122,7 @@ fn scribbles() {
 #[test]
 fn polygons_agree_with_triangles() {
     let mut rng = Rng::new(42);
-    for i in 0..200_000 {
+    for i in 0..cases(200_000) {
         let places = outline(&mut rng, Scale::ALL[i % 4], 3);
         let units = [places[0], places[1], places[2]];
         let window = window_on(&mut rng, &units);
@@ -138,7 +138,7 @@ fn polygons_agree_with_triangles() {
 #[test]
 fn any_start_and_either_direction_give_the_same_pixels() {
     let mut rng = Rng::new(43);
-    for i in 0..20_000 {
+    for i in 0..cases(20_000) {
         let n = 3 + rng.index(6);
         let mut contour = outline(&mut rng, Scale::ALL[i % 4], n);
         let window = window_on(&mut rng, &contour);
@@ -158,7 +158,8 @@ fn any_start_and_either_direction_give_the_same_pixels() {
 fn edge_tables_of_every_capacity() {
     let mut rng = Rng::new(44);
     let (mut fitted, mut refused) = (0, 0);
-    for i in 0..25_000 {
+    let shapes = cases(25_000);
+    for i in 0..shapes {
         let contours = if i % 8 == 0 {
             vec![outline(&mut rng, Scale::Tiny, 20)]
         } else {
@@ -182,7 +183,7 @@ fn edge_tables_of_every_capacity() {
             }
         }
     }
-    assert!(fitted > 10_000 && refused > 10_000, "{fitted} fitted, {refused} refused");
+    assert!(fitted.min(refused) >= shapes * 2 / 5, "{fitted} fitted, {refused} refused");
 }
 
 /// A shape whose crowded row is the last one: nothing of the rows above may be painted before the refusal.
@@ -226,7 +227,7 @@ fn tiles_of_every_size_show_the_same_polygon() {
 #[test]
 fn rectangles() {
     let mut rng = Rng::new(46);
-    for i in 0..300_000 {
+    for i in 0..cases(300_000) {
         let places = outline(&mut rng, Scale::ALL[i % 4], 2);
         let (a, b) = (places[0], places[1]);
         let around = vec![a, (b.0, a.1), b, (a.0, b.1)];
@@ -257,7 +258,7 @@ fn outlines_of_boxes() {
         check(area, Rect::new(3, 0, 6, 4));
     }
     let mut rng = Rng::new(47);
-    for _ in 0..50_000 {
+    for _ in 0..cases(50_000) {
         let mut side = || rng.pick(&[i32::MIN, i32::MIN + 1, i32::MAX - 1, i32::MAX, -1, 0, 1]);
         let area = Rect { x0: side(), y0: side(), x1: side(), y1: side() };
         let near = |n: i32| (n.saturating_sub(3), n.saturating_add(3));

@@ -1,5 +1,17 @@
 //! Random numbers from a seed: the same shapes on every machine.
 
+/// How many random cases a test takes that usually takes `usual`: as many per cent of them as the variable
+/// `EMBEDDED_RASTER_CASES` says, but at least one.
+pub fn cases(usual: usize) -> usize {
+    let percent = match std::env::var("EMBEDDED_RASTER_CASES") {
+        Ok(text) => {
+            text.parse().unwrap_or_else(|_| panic!("EMBEDDED_RASTER_CASES is `{text}`: it is a number of per cent"))
+        }
+        Err(_) => 100,
+    };
+    (usual * percent / 100).max(1)
+}
+
 /// `SplitMix64` (G. Steele, D. Lea, C. Flood, 2014).
 #[derive(Clone)]
 pub struct Rng(u64);

@@ -16,10 +16,13 @@ const SWITCHES: [&str; 2] = ["embedded_raster_compact", "embedded_raster_small_c
 /// behind `--` and hold for all tests of their line.
 const SWITCHED_TESTS: &[&[&str]] = &[&["--test=raster", "--test=laws", "--test=golden"]];
 
+/// How many of the random cases of a test each build that is switched takes, in per cent.
+const SWITCHED_CASES: u32 = 20;
+
 /// All that a change must pass, in some minutes.
 pub fn check() -> Result<()> {
     let start = Instant::now();
-    quick(SWITCHED_TESTS)?;
+    quick(SWITCHED_TESTS, SWITCHED_CASES)?;
     passed(start);
     Ok(())
 }
@@ -27,28 +30,30 @@ pub fn check() -> Result<()> {
 /// [`check`], with all tests in every build, and all proofs and frames on every chip at every opt-level; the lab.
 pub fn full() -> Result<()> {
     let start = Instant::now();
-    quick(&[&[]])?;
+    quick(&[&[]], 100)?;
     step("cross: every chip", || Chip::ALL.into_iter().try_for_each(proofs::cross))?;
     step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
     for opt in Opt::ALL {
         step(&format!("scene: every chip, opt-level {}", opt.name()), || scene::check_all(&Chip::ALL, opt))?;
     }
-    cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"], &[])?;
+    cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;
     passed(start);
     Ok(())
 }
 
-fn quick(switched_tests: &[&[&str]]) -> Result<()> {
-    cargo_step("format", &["fmt", "--all", "--check"], &[])?;
-    cargo_step("clippy", &["clippy", "--workspace", "--all-targets"], &[])?;
-    cargo_step("clippy with defmt", &["clippy", "--package", "embedded-raster", "--features", "defmt"], &[])?;
-    cargo_step("documentation", &["doc", "--workspace", "--no-deps"], &[])?;
-    cargo_step("tests", &["test", "--workspace"], &[])?;
+fn quick(switched_tests: &[&[&str]], switched_cases: u32) -> Result<()> {
+    cargo_step("format", &["fmt", "--all", "--check"])?;
+    cargo_step("clippy", &["clippy", "--workspace", "--all-targets"])?;
+    cargo_step("clippy with defmt", &["clippy", "--package", "embedded-raster", "--features", "defmt"])?;
+    cargo_step("documentation", &["doc", "--workspace", "--no-deps"])?;
+    cargo_step("tests", &["test", "--workspace"])?;
     for switches in switched() {
         for tests in switched_tests {
             let args = [&["test", "--package", "embedded-raster"], *tests].concat();
-            cargo_step(&format!("tests with {}", switches.join(" and ")), &args, &switches)?;
+            let mut cargo = cargo(&args, &switches);
+            cargo.env("EMBEDDED_RASTER_CASES", switched_cases.to_string());
+            step(&format!("tests with {}", switches.join(" and ")), || run(cargo))?;
         }
     }
     step("probe", proofs::probe)?;
@@ -67,26 +72,40 @@ fn switched() -> impl Iterator<Item = Vec<&'static str>> {
     (1..1 << SWITCHES.len()).map(move |choice| chosen(choice).collect())
 }
 
-/// A command of cargo as a step. Warnings are errors.
-fn cargo_step(name: &str, args: &[&str], switches: &[&str]) -> Result<()> {
-    step(name, || {
-        let cfgs = switches.iter().flat_map(|switch| [" --cfg ", switch]).collect::<String>();
-        let flags = format!("--deny warnings{cfgs}");
-        println!("RUSTFLAGS=\"{flags}\" cargo {}", args.join(" "));
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-        cargo.args(args).current_dir(project());
-        // Cargo keeps what it built by these flags beside what it built by others. Other steps set flags of their own.
-        cargo.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags).env_remove("CARGO_ENCODED_RUSTFLAGS");
-        // Nobody debugs these builds.
-        for (variable, value) in
-            [("CARGO_INCREMENTAL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]
-        {
-            cargo.env(variable, value);
-        }
-        let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
-        ensure!(status.success(), "cargo ended with {status}");
-        Ok(())
-    })
+/// A command of cargo as a step.
+fn cargo_step(name: &str, args: &[&str]) -> Result<()> {
+    step(name, || run(cargo(args, &[])))
+}
+
+/// A command of cargo with some switches. Warnings are errors.
+fn cargo(args: &[&str], switches: &[&str]) -> Command {
+    let cfgs = switches.iter().flat_map(|switch| [" --cfg ", switch]).collect::<String>();
+    let flags = format!("--deny warnings{cfgs}");
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(args).current_dir(project());
+    // Cargo keeps what it built by these flags beside what it built by others. Other steps set flags of their own.
+    cargo.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags);
+    for variable in ["CARGO_ENCODED_RUSTFLAGS", "EMBEDDED_RASTER_TUNE", "EMBEDDED_RASTER_CASES"] {
+        cargo.env_remove(variable);
+    }
+    // Nobody debugs these builds.
+    for (variable, value) in
+        [("CARGO_INCREMENTAL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0"), ("CARGO_PROFILE_TEST_DEBUG", "0")]
+    {
+        cargo.env(variable, value);
+    }
+    cargo
+}
+
+/// Says what would do the same by hand, and does it.
+fn run(mut cargo: Command) -> Result<()> {
+    let variables = cargo.get_envs().filter(|(name, _)| *name == "RUSTFLAGS" || *name == "EMBEDDED_RASTER_CASES");
+    let variables = variables.filter_map(|(name, value)| Some(format!("{}=\"{}\" ", name.display(), value?.display())));
+    let args: Vec<_> = cargo.get_args().map(|arg| arg.to_string_lossy()).collect();
+    println!("{}cargo {}", variables.collect::<String>(), args.join(" "));
+    let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
+    ensure!(status.success(), "cargo ended with {status}");
+    Ok(())
 }
 
 #[cfg(test)]
@@ -97,5 +116,15 @@ mod tests {
     fn every_choice_of_switches_is_tested() {
         let [a, b] = SWITCHES;
         assert_eq!(switched().collect::<Vec<_>>(), [vec![a], vec![b], vec![a, b]]);
+    }
+
+    #[test]
+    fn the_switched_tests_exist() {
+        let tests = SWITCHED_TESTS.concat().into_iter().filter_map(|arg| arg.strip_prefix("--test="));
+        for test in tests {
+            let folder = project().join("tests");
+            let files = [folder.join(test).join("main.rs"), folder.join(test).with_extension("rs")];
+            assert!(files.iter().any(|file| file.is_file()), "no test `{test}`");
+        }
     }
 }

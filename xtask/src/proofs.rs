@@ -54,7 +54,7 @@ fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
     cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
     cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
     cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
-    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections");
+    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections").env_remove("EMBEDDED_RASTER_TUNE");
     let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
     let refused = text.contains("a_panic_can_be_reached");

@@ -46,8 +46,9 @@ impl Toolchain {
             cargo.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
         }
         // Flags for the host would replace the linker scripts of .cargo/config.toml, and the library
-        // path of the cargo that started this tool may belong to another compiler.
-        for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "LD_LIBRARY_PATH"] {
+        // path of the cargo that started this tool may belong to another compiler. What is measured
+        // is what the opt-level chooses.
+        for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "LD_LIBRARY_PATH", "EMBEDDED_RASTER_TUNE"] {
             cargo.env_remove(variable);
         }
         cargo

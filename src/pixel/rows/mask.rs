@@ -14,6 +14,9 @@ use crate::{
     tune::{keep_rolled, COMPACT, UNALIGNED},
 };
 
+/// Whether 16-bit pixels go in pairs: a loop of its own, and words that are stored at any address.
+const PAIRS: bool = UNALIGNED && !COMPACT;
+
 /// Eight pixels of a mask at a time, the leftmost in bit 31, from pixel `x` of the row at byte `row` on. Beyond the memory
 /// all is 0.
 pub(crate) struct Bits<'a> {
@@ -117,7 +120,7 @@ fn put<P: Copy>(group: &mut [P], mut eight: u32, on: P, off: Option<P>) {
 /// Pairs of pixels by a table, where words can be stored at any address.
 #[inline(always)]
 fn expand16(run: &mut [u8], mut bits: impl FnMut() -> u32, on: u16, off: Option<u16>) {
-    let Some(ground) = off.filter(|_| UNALIGNED && !COMPACT) else {
+    let Some(ground) = off.filter(|_| PAIRS) else {
         return expand(run, bits, on.to_le_bytes(), off.map(u16::to_le_bytes));
     };
     let pair = |left: u16, right: u16| (u32::from(right) << 16 | u32::from(left)).to_le_bytes();

@@ -14,6 +14,9 @@ mod word;
 use super::format::{byte, has_unused_bits, PixelFormat};
 use crate::tune::COMPACT;
 
+/// Whether an area of one row is filled as a run.
+const RUNS: bool = !COMPACT;
+
 /// Writes the same bits to pixels `x0..x1`, which are not empty, of the row that starts at byte `row`.
 #[inline(always)]
 pub(crate) fn fill<F: PixelFormat>(memory: &mut [u8], row: usize, x0: usize, x1: usize, bits: u32) {
@@ -33,7 +36,7 @@ pub(crate) fn fill_rows<F: PixelFormat>(
     (x0, x1): (usize, usize),
     bits: u32,
 ) {
-    if rows == 1 && !COMPACT {
+    if RUNS && rows == 1 {
         return fill::<F>(memory, first_row, x0, x1, bits);
     }
     if F::BITS < 8 {

@@ -10,6 +10,9 @@
 use super::word;
 use crate::{num::cast::low_u8, pixel::format::PixelFormat, tune::COMPACT};
 
+/// How many bytes are copied at once where there are as many; built for size, one after the other.
+const GROUP: usize = if COMPACT { usize::MAX } else { 4 };
+
 /// Pixels of a byte, less one: 7, 3, 1.
 const fn last_in_byte<F: PixelFormat>() -> usize {
     (8 / F::BITS - 1) as usize
@@ -274,7 +277,7 @@ fn copy_masked<F: PixelFormat>(
             // The pixels of whole bytes are all there, and so are their bytes and the one that follows.
             let (start, end) = (at.wrapping_add(2), at.wrapping_add(2).wrapping_add(middle.len()));
             let mut sources = from.get(start..end).unwrap_or_default();
-            let mut groups = middle.chunks_exact_mut(if COMPACT { usize::MAX } else { 4 });
+            let mut groups = middle.chunks_exact_mut(GROUP);
             for group in &mut groups {
                 let (Some(place), Some((word, after))) = (group.first_chunk_mut(), sources.split_first_chunk()) else {
                     break;

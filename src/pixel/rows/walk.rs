@@ -22,20 +22,23 @@ use crate::{
     tune::{keep_rolled, COMPACT, DIVIDES},
 };
 
+/// Built for size, the pixels of every line are counted: one loop for all formats.
+const COUNTED: bool = COMPACT;
+
 /// Writes `bits` along `steps`, from a row and a pixel of it, in rows `stride` bytes apart.
 #[inline(always)]
 pub(crate) fn draw<F: PixelFormat>(memory: &mut [u8], stride: usize, start: (usize, usize), steps: Steps, bits: u32) {
     match F::BITS {
-        8 if !COMPACT => draw_pixels::<1>(memory, stride, start, steps, [low_u8(bits)]),
-        16 if !COMPACT => draw_pixels::<2>(memory, stride, start, steps, low_u16(bits).to_le_bytes()),
-        24 if !COMPACT => draw_pixels::<3>(memory, stride, start, steps, word::three(bits)),
-        32 if !COMPACT => draw_pixels::<4>(memory, stride, start, steps, bits.to_le_bytes()),
-        8.. => count(steps, start, bytes_per_pixel::<F>(), stride, |at| word::set::<F>(memory, at, bits)),
-        _ => {
+        ..8 => {
             // Pixels are counted through the whole memory: rows start on a byte.
             let pitch = stride.wrapping_mul((8 / F::BITS) as usize);
             count(steps, start, 1, pitch, |at| packed::set::<F>(memory, 0, at, bits));
         }
+        _ if COUNTED => count(steps, start, bytes_per_pixel::<F>(), stride, |at| word::set::<F>(memory, at, bits)),
+        8 => draw_pixels::<1>(memory, stride, start, steps, [low_u8(bits)]),
+        16 => draw_pixels::<2>(memory, stride, start, steps, low_u16(bits).to_le_bytes()),
+        24 => draw_pixels::<3>(memory, stride, start, steps, word::three(bits)),
+        _ => draw_pixels::<4>(memory, stride, start, steps, bits.to_le_bytes()),
     }
 }
 

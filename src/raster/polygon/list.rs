@@ -9,7 +9,6 @@
 use core::{cell::Cell, mem::replace};
 
 use super::edge::{EdgeSlot, END};
-use crate::tune::COMPACT;
 
 /// Sorting merges runs in pairs, what comes out in pairs again, and so on. These levels are enough for 2^16 runs.
 const LEVELS: usize = 17;
@@ -55,7 +54,7 @@ pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
         (run, rest) = take_run(table, rest);
     }
     // `merge` takes empty lists too, but most levels are empty.
-    levels.into_iter().filter(|&level| COMPACT || level != END).fold(END, |list, level| merge(table, level, list))
+    levels.into_iter().filter(|&level| level != END).fold(END, |list, level| merge(table, level, list))
 }
 
 /// Cuts a run off the front of a list: as many edges as each belong behind all the edges before them, or in front of all. Returns

@@ -46,6 +46,9 @@ use crate::{
 
 use crate::geom::polygon::FillRule;
 
+/// Whether waiting edges are sorted by buckets first, and two edges that are alone are followed over many rows.
+const SHORT_CUTS: bool = !COMPACT;
+
 /// Emits the spans of a filled polygon that lie in `window`, top row first and each row from left to right.
 ///
 /// * `contours`: closed outlines, the last vertex joined to the first; any coordinates, any order. It is iterated several
@@ -203,8 +206,8 @@ impl Waiting {
     fn new(table: &[EdgeSlot], loaded: &Loaded) -> Self {
         let mut waiting = Self { list: END, row: i32::MAX, bucket: 0 };
         let rows = unsigned(loaded.end.wrapping_sub(loaded.first));
-        // In a small image there is one bucket.
-        let mut shift = if COMPACT { 31 } else { 0 };
+        // Without the short cut there is one bucket.
+        let mut shift = if SHORT_CUTS { 0 } else { 31 };
         while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
             shift = shift.wrapping_add(1);
             keep_rolled();
@@ -276,7 +279,7 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
             y = waiting.row;
             continue;
         }
-        let end = if COMPACT { y.wrapping_add(1) } else { last_of_two(table, active, y, waiting.row) };
+        let end = if SHORT_CUTS { last_of_two(table, active, y, waiting.row) } else { y.wrapping_add(1) };
         let mut at = usize::from(active);
         while let Some((mut left, mut right)) = next_pair(table, &mut at, rule) {
             let mut row = y;
@@ -346,7 +349,7 @@ fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
         last = x;
         end = &edge.link;
     }
-    let list = if !COMPACT && joining == END { list.get() } else { merge(table, list.get(), joining) };
+    let list = if joining == END { list.get() } else { merge(table, list.get(), joining) };
     if overtaken == END {
         return list;
     }

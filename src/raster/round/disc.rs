@@ -7,6 +7,9 @@ use crate::{
     tune::{keep_rolled, COMPACT},
 };
 
+/// Whether discs have a way of their own; built for size, they are ellipses.
+pub(super) const DISCS: bool = !COMPACT;
+
 /// The rows of a disc, top row first, without what clipping takes and with fewer registers.
 ///
 /// With u of the first pixel that is not drawn and v of the row, `f = floor((u^2 + v^2 - a^2 - 1) / 4)`. From row to row f
@@ -51,7 +54,7 @@ impl Disc {
     #[inline(always)]
     pub(super) fn of(ellipse: &Ellipse, window: Rect) -> Option<Self> {
         let area = ellipse.extent();
-        let is_disc = !COMPACT && ellipse.is_in_box() && is_inside(area, window) && is_small_circle(area);
+        let is_disc = DISCS && ellipse.is_in_box() && is_inside(area, window) && is_small_circle(area);
         is_disc.then(|| Self::new(area, area.x1.wrapping_sub(area.x0)))
     }
 

@@ -44,13 +44,12 @@ pub use super::{
 use super::{
     curve::{Curve, Size},
     disc::{self, Disc},
-    form::{Number, Rows},
+    form::{Number, Rows, NARROW},
 };
 use crate::{
     geom::{bits, PointFx},
     num::{cast::narrow, round::difference},
     span::{ClippedSpan, Rect, Sink, Span},
-    tune::COMPACT,
 };
 
 /// Emits the spans of a filled ellipse that lie in `window`, top row first.
@@ -80,7 +79,7 @@ pub fn fill(ellipse: Ellipse, window: Rect, sink: impl Sink) {
 fn fill_any(ellipse: &Ellipse, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
     let curve = ellipse.curve();
     match curve.size() {
-        Size::Small if !COMPACT => fill_by::<Wrapping<i32>>(&curve, clip, emit),
+        Size::Small if NARROW => fill_by::<Wrapping<i32>>(&curve, clip, emit),
         Size::Large => fill_by::<Wrapping<i128>>(&curve, clip, emit),
         _ => fill_by::<Wrapping<i64>>(&curve, clip, emit),
     }

@@ -12,6 +12,9 @@ use crate::{
     tune::COMPACT,
 };
 
+/// Whether what fits 32 bits is followed in 32 bits; built for size, in 64 like the others.
+pub(super) const NARROW: bool = !COMPACT;
+
 /// Numbers that the form is computed in. Results that are stored fit. On the way to them numbers may wrap, which cancels out.
 pub(super) trait Number:
     Copy
@@ -244,7 +247,7 @@ impl AnyRows {
     pub(super) fn new(ellipse: &Ellipse, clip: Rect) -> Self {
         let curve = ellipse.curve();
         match curve.size() {
-            Size::Small if !COMPACT => Self::Small(Rows::new(&curve, clip)),
+            Size::Small if NARROW => Self::Small(Rows::new(&curve, clip)),
             Size::Large => Self::Large(Rows::new(&curve, clip)),
             _ => Self::Medium(Rows::new(&curve, clip)),
         }

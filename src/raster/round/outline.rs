@@ -4,12 +4,11 @@ use core::num::Wrapping;
 
 use super::{
     curve::{is_inside, is_small_circle, size_of, Ellipse, Size},
-    form::{mirrored, Follower, Form, Number},
+    form::{mirrored, Follower, Form, Number, NARROW},
 };
 use crate::{
     num::cast::{narrow, signed, unsigned},
     span::{ClippedSpan, Octants, Rect, Sink, Span},
-    tune::COMPACT,
 };
 
 /// Emits the spans of the outline of the ellipse in a box that lie in `window`, top row first: one or two a row.
@@ -52,7 +51,7 @@ fn draw<const FILLED: bool>(area: Rect, window: Rect, mut sink: impl Sink) {
 fn draw_any<const FILLED: bool>(area: Rect, clip: Rect, emit: &mut dyn FnMut(ClippedSpan)) {
     let radii = (i64::from(area.width()) - 1, i64::from(area.height()) - 1);
     match size_of(radii, 1) {
-        Size::Small if !COMPACT => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
+        Size::Small if NARROW => draw_by::<Wrapping<i32>, FILLED>(area, radii, clip, emit),
         Size::Large => draw_by::<Wrapping<i128>, FILLED>(area, radii, clip, emit),
         _ => draw_by::<Wrapping<i64>, FILLED>(area, radii, clip, emit),
     }

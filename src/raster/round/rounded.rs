@@ -21,14 +21,13 @@ use core::num::Wrapping;
 
 use super::{
     curve::{is_inside, size_of, Size},
-    disc::Disc,
+    disc::{Disc, DISCS},
     form::{Follower, Form, Number},
     outline::Border,
 };
 use crate::{
     num::cast::{signed, unsigned},
     span::{Rect, Sink, Span},
-    tune::COMPACT,
 };
 
 /// Radii of the four corners, in pixels.
@@ -70,7 +69,7 @@ impl Radii {
 #[inline(always)]
 fn corners(area: Rect, radii: Radii, window: Rect) -> Option<Disc> {
     let radius = radii.limited(area).top_left;
-    let is_plain = !COMPACT && is_inside(area, window) && radii == Radii::all(radii.top_left) && radius <= 1 << 14;
+    let is_plain = DISCS && is_inside(area, window) && radii == Radii::all(radii.top_left) && radius <= 1 << 14;
     is_plain.then(|| Disc::new(area, signed(radius).wrapping_mul(2)))
 }
 

@@ -1,0 +1,124 @@
+//! Pixel by pixel.
+
+use bytemuck::{pod_align_to, pod_align_to_mut, Pod};
+
+use crate::{
+    num::cast::{low_u16, low_u8},
+    pixel::format::PixelFormat,
+    tune::VECTORS,
+};
+
+/// Writes the pixel at byte `at`.
+#[inline(always)]
+pub(in crate::pixel::rows) fn set<F: PixelFormat>(memory: &mut [u8], at: usize, bits: u32) {
+    fn put<const N: usize>(memory: &mut [u8], at: usize, pixel: [u8; N]) {
+        if let Some(place) = memory.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+            *place = pixel;
+        }
+    }
+    match F::BITS {
+        8 => put(memory, at, [low_u8(bits)]),
+        16 => put(memory, at, low_u16(bits).to_le_bytes()),
+        24 => put(memory, at, three(bits)),
+        _ => put(memory, at, bits.to_le_bytes()),
+    }
+}
+
+/// Reads the pixel at byte `at`.
+#[inline(always)]
+pub(in crate::pixel::rows) fn get<F: PixelFormat>(memory: &[u8], at: usize) -> u32 {
+    fn pixel<const N: usize>(memory: &[u8], at: usize) -> [u8; N] {
+        let place = memory.get(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk);
+        place.copied().unwrap_or([0; N])
+    }
+    match F::BITS {
+        8 => u32::from(pixel::<1>(memory, at)[0]),
+        16 => u32::from(u16::from_le_bytes(pixel(memory, at))),
+        24 => {
+            let [a, b, c] = pixel(memory, at);
+            u32::from_le_bytes([a, b, c, 0])
+        }
+        _ => u32::from_le_bytes(pixel(memory, at)),
+    }
+}
+
+/// The low three bytes, the least significant one first.
+#[inline(always)]
+pub(in crate::pixel::rows) const fn three(bits: u32) -> [u8; 3] {
+    let [a, b, c, _] = bits.to_le_bytes();
+    [a, b, c]
+}
+
+/// Copies the pixels of a run that differ from `key`.
+#[inline(always)]
+pub(in crate::pixel::rows) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[u8], key: u32) {
+    /// Whole pixels as numbers, one comparison for all of a pixel.
+    #[inline(always)]
+    fn copy<const N: usize, T: Copy + PartialEq>(
+        (to, from): (&mut [u8], &[u8]),
+        key: T,
+        (number, bytes): (impl Fn([u8; N]) -> T, impl Fn(T) -> [u8; N]),
+    ) where
+        [u8; N]: Pod,
+    {
+        let (_, to, _) = pod_align_to_mut::<u8, [u8; N]>(to);
+        let (_, from, _) = pod_align_to::<u8, [u8; N]>(from);
+        for (place, pixel) in to.iter_mut().zip(from) {
+            let new = number(*pixel);
+            if VECTORS {
+                *place = bytes(if new == key { number(*place) } else { new });
+            } else if new != key {
+                *place = *pixel;
+            }
+        }
+    }
+    let runs = (to, from);
+    match F::BITS {
+        8 => copy(runs, low_u8(key), (u8::from_le_bytes, u8::to_le_bytes)),
+        16 => copy(runs, low_u16(key), (u16::from_le_bytes, u16::to_le_bytes)),
+        24 => copy(runs, three(key), (|pixel| pixel, |pixel| pixel)),
+        _ => copy(runs, key, (u32::from_le_bytes, u32::to_le_bytes)),
+    }
+}
+
+/// Writes a run from left to right: what `next` gives, or nothing where that is `None`. One store a pixel.
+#[inline(always)]
+pub(in crate::pixel::rows) fn write<F: PixelFormat>(run: &mut [u8], mut next: impl FnMut() -> Option<u32>) {
+    match F::BITS {
+        8 => each(run, |place| put(place, next().map(|bits| [low_u8(bits)]))),
+        16 => each(run, |place| put(place, next().map(|bits| low_u16(bits).to_le_bytes()))),
+        24 => each(run, |place| put(place, next().map(three))),
+        _ => each(run, |place| put(place, next().map(u32::to_le_bytes))),
+    }
+}
+
+/// Replaces each pixel of a run by what `edit` makes of it.
+#[inline(always)]
+pub(in crate::pixel::rows) fn edit<F: PixelFormat>(run: &mut [u8], mut edit: impl FnMut(u32) -> u32) {
+    match F::BITS {
+        8 => each(run, |[a]: &mut [u8; 1]| *a = low_u8(edit(u32::from(*a)))),
+        16 => each(run, |place| *place = low_u16(edit(u16::from_le_bytes(*place).into())).to_le_bytes()),
+        24 => each(run, |place: &mut [u8; 3]| {
+            let [a, b, c] = *place;
+            *place = three(edit(u32::from_le_bytes([a, b, c, 0])));
+        }),
+        _ => each(run, |place| *place = edit(u32::from_le_bytes(*place)).to_le_bytes()),
+    }
+}
+
+/// Calls `f` with each pixel of a run.
+#[inline(always)]
+fn each<const N: usize>(run: &mut [u8], f: impl FnMut(&mut [u8; N]))
+where
+    [u8; N]: Pod,
+{
+    let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(run);
+    pixels.iter_mut().for_each(f);
+}
+
+#[inline(always)]
+fn put<const N: usize>(place: &mut [u8; N], pixel: Option<[u8; N]>) {
+    if let Some(pixel) = pixel {
+        *place = pixel;
+    }
+}
