@@ -159,14 +159,20 @@ pub(super) fn write<F: PixelFormat>(
     mut next: impl FnMut() -> Option<u32>,
 ) {
     each_byte::<F>(memory, row, (x0, x1), |byte, (start, end)| {
-        let (mut new, mut written) = (0, 0);
-        for x in start..end {
+        // Pixels are pushed in from the right, or for Lsb0 from the left, and moved to their place at the end.
+        let (mut new, mut written) = (0_u32, 0_u32);
+        let enter = if F::LSB0 { 8 - F::BITS } else { 0 };
+        for _ in start..end {
+            (new, written) =
+                if F::LSB0 { (new >> F::BITS, written >> F::BITS) } else { (new << F::BITS, written << F::BITS) };
             if let Some(bits) = next() {
-                new |= low_u8(bits << shift::<F>(x));
-                written |= mask::<F>() << shift::<F>(x);
+                new |= bits << enter;
+                written |= u32::from(mask::<F>()) << enter;
             }
         }
-        *byte = merge(*byte, new, written);
+        let last = shift::<F>(end.wrapping_sub(1));
+        let moved = |bits: u32| low_u8(if F::LSB0 { bits >> enter.wrapping_sub(last) } else { bits << last });
+        *byte = merge(*byte, moved(new), moved(written));
     });
 }
 
