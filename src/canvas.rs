@@ -10,7 +10,7 @@ use fixed::types::I24F8;
 use self::flood::Area;
 use crate::{
     error::EdgeTableFull,
-    geom::{polygon::FillRule, Path, PathSegment, PointFx},
+    geom::{fill_rule::FillRule, Path, PathSegment, PointFx},
     paint::{Brush, Paint, Solid},
     pixel::PixelFormat,
     raster::{

@@ -19,7 +19,7 @@ mod tune;
 
 pub use canvas::Canvas;
 pub use error::{BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangulateError};
-pub use geom::{polygon::FillRule, Angle, Path, PathSegment, PointFx, Viewport};
+pub use geom::{fill_rule::FillRule, Angle, Path, PathSegment, PointFx, Viewport};
 pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
 pub use raster::{

@@ -20,6 +20,7 @@ pub mod polygon;
 pub mod triangulate;
 
 mod angle;
+pub(crate) mod fill_rule;
 mod outlines;
 mod path;
 mod point;

@@ -30,6 +30,7 @@ use super::rect::Rect;
 ///
 /// It is walked from the middle of the top row to the diagonal. Distances from the centre are in half pixels.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Octants {
     /// First column and first row of the box.
     x0: i32,

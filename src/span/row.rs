@@ -12,6 +12,7 @@ use crate::num::cast::unsigned;
 /// assert!(Span { y: 48, x0: 0, x1: 5 }.clip(window).is_none());
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Span {
     /// Row.
     pub y: i32,
@@ -55,6 +56,7 @@ impl ClippedSpan {
 
 /// A [`Span`] that has at least one pixel and lies inside the window that it was clipped against.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClippedSpan {
     y: i32,
     x0: i32,

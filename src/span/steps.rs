@@ -10,6 +10,7 @@ use crate::num::cast::signed;
 /// was drawn upwards is given here from its other end; where two pixels are equally near, the choice is still the one of the
 /// caller's direction.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Steps {
     pub(crate) first: (i32, i32),
     /// Visible steps along the major axis: pixels after the first.

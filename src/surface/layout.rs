@@ -17,6 +17,7 @@ use crate::span::{Octants, Steps};
 
 /// How many rows there are in memory, and how far apart they are.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Grid {
     /// Bytes from one row to the next, or from one page to the next where [rows share bytes](Layout::PAGE).
     pub stride: usize,

@@ -16,14 +16,14 @@ use embedded_raster::{
         triangulate::{self, SideSlot},
         Outlines, Viewport,
     },
-    pixel::{Be, Lsb0, Xrgb8888},
+    pixel::{Be, Lsb0, Rgb444, Xrgb8888},
     raster::{
         flood::{Connectivity, FloodSlot},
         triangle,
     },
-    surface::{Counter, Paged},
-    Angle, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index4, Index8, Palette, Path,
-    PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
+    surface::{Counter, Packed12, Paged, Pages, Planes, Rows},
+    Angle, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Framebuffer, Index1, Index4, Index8, Palette, Path,
+    PathSegment, PixelFormat, PointFx, Radii, Readable, Rect, Sector, Span, Stroke, Surface,
 };
 use fixed::types::{I16F16, I24F8};
 
@@ -195,6 +195,55 @@ entry_points! {
     Rgb565: round16 flood16 clear16 area16 line16 triangle16 polygon16 set16 blit16 mask16 move16 read16 target16;
     Be<Rgb888>: round24 flood24 clear24 area24 line24 triangle24 polygon24 set24 blit24 mask24 move24 read24 target24;
     Xrgb8888: round32 flood32 clear32 area32 line32 triangle32 polygon32 set32 blit32 mask32 move32 read32 target32;
+}
+
+/// What every layout does, by its own ways and by the naive ones.
+macro_rules! layouts {
+    ($($name:ident: $layout:ty, $color:ty;)*) => {$(
+        #[no_mangle]
+        pub unsafe extern "C" fn $name(m: &Memory, s: &Memory, v: &[[i32; 2]; 3], rows: [u16; 2], slots: &mut [FloodSlot; 4]) -> bool {
+            let (bytes, source) = (slice::from_raw_parts_mut(m.bytes, m.len), slice::from_raw_parts(s.bytes, s.len));
+            let Ok(mut band) = Frame::<_, $layout>::band(bytes, m.width, m.height, rows[0]..rows[1]) else { return false };
+            band.clear(<$color>::unpack(m.color));
+            let bytes = slice::from_raw_parts_mut(m.bytes, m.len);
+            let Ok(mut whole) = Frame::<_, $layout>::with_stride(bytes, m.width, m.height, m.stride) else { return false };
+            let Ok(source) = Frame::<_, $layout>::with_stride(source, s.width, s.height, s.stride) else { return false };
+            let (color, at) = (<$color>::unpack(m.color), Point::new(v[0][0], v[0][1]));
+            let mut view = whole.view(m.area());
+            view.fill_area(s.area(), color);
+            view.draw_line(at, Point::new(v[1][0], v[1][1]), color);
+            view.draw_ellipse(s.area(), color);
+            view.fill_triangle_fx((*v).map(vertex), color);
+            view.set(at, color);
+            view.blit(at, &source.clipped(s.area()));
+            view.blit_keyed(at, &source, color);
+            view.move_area(s.area(), at);
+            view.move_area_keyed(s.area(), at, color);
+            view.flood_fill(at, Connectivity::Corners, slots, color);
+            if let Ok(mask) = Bitmap::<Index1>::new(slice::from_raw_parts(s.bytes, s.len), s.width, s.height) {
+                view.blit_mask(at, &mask, color, None);
+            }
+            if let Some(span) = (Span { y: v[2][1], x0: v[2][0], x1: v[1][0] }).clip(view.window()) {
+                view.write_span(span, |_| color);
+                view.write_some(span, |x| (x & 1 == 0).then_some(color));
+                view.edit_span(span, |x, old| if x & 1 == 0 { color } else { old });
+                let mut sum = 0_u32;
+                view.read_span(span, |c| sum ^= <$color>::pack(c));
+                return sum == 0;
+            }
+            view.get(at).is_some()
+        }
+    )*};
+}
+
+layouts! {
+    layout_pages: Pages<Index1>, Index1;
+    layout_pages_lsb0: Pages<Lsb0<BinaryColor>>, BinaryColor;
+    layout_planes: Planes<Gray2>, Gray2;
+    layout_packed12: Packed12, Rgb444;
+    layout_rows2: Rows<Gray2>, Gray2;
+    layout_rows16: Rows<Rgb565>, Rgb565;
+    layout_rows24: Rows<Be<Rgb888>>, Rgb888;
 }
 
 #[no_mangle]

@@ -4,6 +4,7 @@ use crate::span::{ClippedSpan, Rect};
 
 /// Which pixels are neighbours.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Connectivity {
     /// The four that share a side.
     Sides,
@@ -13,6 +14,7 @@ pub enum Connectivity {
 
 /// A slot of the table of a flood fill: a range of a row that is to be searched.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FloodSlot {
     pub(super) y: i32,
     pub(super) x0: i32,

@@ -44,7 +44,7 @@ use crate::{
     tune::{keep_rolled, COMPACT},
 };
 
-use crate::geom::polygon::FillRule;
+use crate::geom::fill_rule::FillRule;
 
 /// Whether waiting edges are sorted by buckets first, and two edges that are alone are followed over many rows.
 const SHORT_CUTS: bool = !COMPACT;

@@ -31,6 +31,7 @@ use crate::{
 
 /// The directions clockwise from one angle up to another, without that.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sector {
     from: (i32, i32),
     to: (i32, i32),

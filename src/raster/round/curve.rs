@@ -12,6 +12,7 @@ use crate::{
 ///
 /// There are two ways to give one. They differ for centres of pixels exactly on the curve: see [`ellipse`](super::ellipse).
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ellipse {
     /// Nothing is drawn outside of it.
     extent: Rect,
@@ -21,6 +22,7 @@ pub struct Ellipse {
 
 /// Where the curve runs.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct Curve {
     /// The centre, from the corner of pixel (0, 0), in units of `2^-shift` pixels.
     pub(super) centre: (i64, i64),

@@ -32,6 +32,7 @@ use crate::{
 
 /// Radii of the four corners, in pixels.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Radii {
     /// Of the top left corner.
     pub top_left: u32,
@@ -41,6 +42,14 @@ pub struct Radii {
     pub bottom_right: u32,
     /// Of the bottom left corner.
     pub bottom_left: u32,
+}
+
+/// The same radius at all corners.
+impl From<u32> for Radii {
+    #[inline]
+    fn from(radius: u32) -> Self {
+        Self::all(radius)
+    }
 }
 
 impl Radii {

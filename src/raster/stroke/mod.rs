@@ -46,7 +46,7 @@ use super::{
 };
 use crate::{
     error::EdgeTableFull,
-    geom::{polygon::FillRule, Path, PointFx},
+    geom::{fill_rule::FillRule, Path, PointFx},
     num::cast::signed,
     span::{Rect, Sink},
 };

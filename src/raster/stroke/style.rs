@@ -4,6 +4,7 @@ use fixed::types::I24F8;
 
 /// How the ends of an open contour, or of a dash, look.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cap {
     /// Cut off at the end.
     #[default]
@@ -16,6 +17,7 @@ pub enum Cap {
 
 /// How two sides meet.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Join {
     /// The outer borders go on until they meet. Where that is farther away than the limit, the join is a [`Bevel`](Self::Bevel).
     #[default]
