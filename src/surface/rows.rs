@@ -58,8 +58,8 @@ fn start(grid: Grid, y: usize) -> usize {
     y.wrapping_mul(grid.stride)
 }
 
-/// In a function of its own, with registers of its own.
-#[inline(never)]
+/// Row by row; built for speed, in a function of its own with registers of its own.
+#[cfg_attr(not(embedded_raster_compact), inline(never))]
 fn copy_keyed<F: PixelFormat>(
     (to, to_stride, (to_x, mut to_row)): (&mut [u8], usize, (usize, usize)),
     (from, from_stride, (from_x, mut from_row)): (&[u8], usize, (usize, usize)),

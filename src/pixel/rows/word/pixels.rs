@@ -8,7 +8,8 @@ use crate::{
     tune::{COMPACT, VECTORS},
 };
 
-/// Whether pixels are compared four at a time. Computers do more of them at once by themselves.
+/// Whether pixels are compared four at a time. Computers do more of them at once by
+/// themselves.
 const FOURS: bool = !VECTORS && !COMPACT;
 
 /// Writes the pixel at byte `at`.
@@ -126,12 +127,14 @@ pub(in crate::pixel::rows) fn edit<F: PixelFormat>(run: &mut [u8], mut edit: imp
 
 /// Calls `f` with each pixel of a run.
 #[inline(always)]
-fn each<const N: usize>(run: &mut [u8], f: impl FnMut(&mut [u8; N]))
+fn each<const N: usize>(run: &mut [u8], mut f: impl FnMut(&mut [u8; N]))
 where
     [u8; N]: Pod,
 {
     let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(run);
-    pixels.iter_mut().for_each(f);
+    for pixel in pixels {
+        f(pixel);
+    }
 }
 
 #[inline(always)]
