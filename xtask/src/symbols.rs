@@ -23,17 +23,18 @@ const DIVISION: &[&str] =
 const LINE: &str = "6raster4line";
 const TRIANGLE: &str = "6raster8triangle";
 const POLYGON: &str = "6raster7polygon";
+const ROUND: &str = "6raster5round";
 
 /// What a scene does not use must not be linked.
 const RULES: &[Rule] = &[
-    Rule { program: "line", forbidden: &[TRIANGLE, POLYGON], reason: "a line needs no fills" },
+    Rule { program: "line", forbidden: &[TRIANGLE, POLYGON, ROUND], reason: "a line needs no fills" },
     Rule { program: "line", forbidden: DIVISION, reason: "a line needs no 64-bit division" },
-    Rule { program: "line_index4", forbidden: &[TRIANGLE, POLYGON], reason: "a line needs no fills" },
+    Rule { program: "line_index4", forbidden: &[TRIANGLE, POLYGON, ROUND], reason: "a line needs no fills" },
     Rule { program: "line_index4", forbidden: DIVISION, reason: "a line needs no 64-bit division" },
-    Rule { program: "clear", forbidden: &[LINE, TRIANGLE, POLYGON], reason: "clearing needs no shapes" },
+    Rule { program: "clear", forbidden: &[LINE, TRIANGLE, POLYGON, ROUND], reason: "clearing needs no shapes" },
     Rule { program: "clear", forbidden: DIVISION, reason: "clearing needs no division" },
-    Rule { program: "triangle", forbidden: &[LINE, POLYGON], reason: "a triangle needs no other shape" },
-    Rule { program: "polygon", forbidden: &[LINE, TRIANGLE], reason: "a polygon needs no other shape" },
+    Rule { program: "triangle", forbidden: &[LINE, POLYGON, ROUND], reason: "a triangle needs no other shape" },
+    Rule { program: "polygon", forbidden: &[LINE, TRIANGLE, ROUND], reason: "a polygon needs no other shape" },
 ];
 
 /// Checks the firmwares of some chips at some opt-levels.
@@ -106,6 +107,17 @@ mod tests {
         }
         for name in ["__aeabi_uidiv", "__aeabi_lmul", "__aeabi_idivmod", "__muldi3", "main", "__udivsi3"] {
             assert!(!is_float(name), "{name}");
+        }
+    }
+
+    /// A module that was moved would never be found.
+    #[test]
+    fn rules_are_about_modules_that_exist() {
+        for mangled in [LINE, TRIANGLE, POLYGON, ROUND] {
+            let name =
+                mangled.strip_prefix("6raster").expect("a shape").trim_start_matches(|c: char| c.is_ascii_digit());
+            let module = firmware::project().join("src/raster").join(name);
+            assert!(module.with_extension("rs").is_file() || module.join("mod.rs").is_file(), "{mangled}");
         }
     }
 
