@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     num::cast::{low_u16, low_u32, low_u8},
-    tune::{keep_rolled, COMPACT},
+    tune::{keep_order, COMPACT},
 };
 
 /// A table of `N` colours that indices are shown through.
@@ -149,7 +149,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
                 }
                 // Without this the compiler loads all indices first, and there are not enough registers for them.
                 if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
-                    keep_rolled();
+                    keep_order();
                 }
             }
         }

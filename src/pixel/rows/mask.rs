@@ -11,7 +11,7 @@ use super::{packed, word};
 use crate::{
     num::cast::{low_u16, low_u8},
     pixel::format::{byte, PixelFormat},
-    tune::{keep_rolled, COMPACT, UNALIGNED},
+    tune::{COMPACT, UNALIGNED},
 };
 
 /// Whether 16-bit pixels go in pairs: a loop of its own, and words that are stored at any address.
@@ -113,7 +113,6 @@ fn put<P: Copy>(group: &mut [P], mut eight: u32, on: P, off: Option<P>) {
             *place = off;
         }
         eight <<= 1;
-        keep_rolled();
     }
 }
 
@@ -139,7 +138,6 @@ fn expand16(run: &mut [u8], mut bits: impl FnMut() -> u32, on: u16, off: Option<
     for place in &mut rest {
         place.copy_from_slice(&pair(eight));
         eight <<= 2;
-        keep_rolled();
     }
     if let Some(last) = rest.into_remainder().first_chunk_mut() {
         *last = if top(eight) { on } else { ground }.to_le_bytes();

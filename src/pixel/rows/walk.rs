@@ -19,7 +19,7 @@ use crate::{
     pixel::format::{bytes_per_pixel, PixelFormat},
     span::Octants,
     span::Steps,
-    tune::{keep_rolled, COMPACT, DIVIDES},
+    tune::{keep_branch, COMPACT, DIVIDES},
 };
 
 /// Built for size, the pixels of every line are counted: one loop for all formats.
@@ -108,7 +108,7 @@ fn images<T>(
         (left, right) = (left.wrapping_sub(outwards), right.wrapping_add(outwards));
         if inner {
             (left, right) = (left.wrapping_add(inwards), right.wrapping_add(inwards));
-            keep_rolled();
+            keep_branch();
         }
     }
 }
@@ -198,8 +198,8 @@ fn walk<P: Copy>(
         if carry {
             rest = rest.wrapping_sub(take);
             at = at.wrapping_add(extra);
-            // Keeps the branch: made conditional, the instructions above would cost every pixel.
-            keep_rolled();
+            // Made conditional, the instructions above would cost every pixel.
+            keep_branch();
         }
     }
     at
@@ -217,7 +217,6 @@ fn glide<P: Copy>(pixels: &mut [P], at: usize, base: usize, part: u32, step: u32
     while let Some(place) = usize::try_from(at >> 32).ok().and_then(|i| pixels.get_mut(i)) {
         *place = pixel;
         at = at.wrapping_add(by);
-        keep_rolled();
     }
 }
 
@@ -237,7 +236,7 @@ fn count(mut steps: Steps, (row, x): (usize, usize), pixel: usize, pitch: usize,
         at = at.wrapping_add(major);
         if steps.next_is_minor() {
             at = at.wrapping_add(minor);
-            keep_rolled();
+            keep_branch();
         }
     }
 }

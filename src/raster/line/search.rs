@@ -15,7 +15,7 @@ use core::ptr;
 use crate::{
     num::cast::{signed, unsigned},
     span::Steps,
-    tune::keep_rolled,
+    tune::keep_branch,
 };
 
 /// See [`clip`](super::clip). Of columns and of rows: where the line begins and ends, and the window, which is not empty.
@@ -121,12 +121,12 @@ impl Axis {
         // Kept as two branches: as conditional moves, the assignments would cost time in either case.
         if up != 0 {
             (from, to) = (b, a);
-            keep_rolled();
+            keep_branch();
         }
         let mut turned = 0;
         if to < from {
             (from, to, low, last, turned) = (!from, !to, !last, !low, -1);
-            keep_rolled();
+            keep_branch();
         }
         let (start, end) = (low.max(from), last.min(to));
         let steps = |from: i32, to: i32| unsigned(to.wrapping_sub(from));

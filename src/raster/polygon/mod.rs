@@ -41,7 +41,7 @@ use crate::{
         round::first_centre_from,
     },
     span::{Rect, Sink, Span},
-    tune::{keep_rolled, COMPACT},
+    tune::{keep_rolled, ARMV6, COMPACT},
 };
 
 use crate::geom::fill_rule::FillRule;
@@ -210,7 +210,7 @@ impl Waiting {
         let mut shift = if SHORT_CUTS { 0 } else { 31 };
         while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
             shift = shift.wrapping_add(1);
-            keep_rolled();
+            keep_rolled(ARMV6);
         }
         let mut place = 0;
         for edge in table {
@@ -235,7 +235,7 @@ impl Waiting {
                 self.row = get(table, self.list).map_or(i32::MAX, |edge| edge.y.get());
                 return;
             }
-            keep_rolled();
+            keep_rolled(ARMV6);
         }
     }
 

@@ -4,7 +4,7 @@ use super::curve::{is_inside, is_small_circle, Ellipse};
 use crate::{
     num::cast::unsigned,
     span::{ClippedSpan, Rect, Sink},
-    tune::{keep_rolled, COMPACT},
+    tune::{keep_rolled, ARMV7, COMPACT},
 };
 
 /// Whether discs have a way of their own; built for size, they are ellipses.
@@ -68,7 +68,7 @@ impl Disc {
                 self.step = self.step.wrapping_add(2);
                 self.end = self.end.wrapping_add(1);
                 // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
-                keep_rolled();
+                keep_rolled(ARMV7);
             }
         } else {
             loop {
@@ -79,7 +79,7 @@ impl Disc {
                 self.f = before;
                 self.step = self.step.wrapping_sub(2);
                 self.end = self.end.wrapping_sub(1);
-                keep_rolled();
+                keep_rolled(ARMV7);
             }
         }
         self.f = self.f.wrapping_add(self.down);

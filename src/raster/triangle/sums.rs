@@ -1,6 +1,6 @@
 //! Triangles by sums of fixed-point numbers, for chips that divide: one addition a side and row.
 
-use core::{hint::black_box, num::NonZeroU32};
+use core::num::NonZeroU32;
 
 use super::steps;
 use crate::{
@@ -10,6 +10,7 @@ use crate::{
     },
     raster::slope::Slope,
     span::{Rect, Sink, Span},
+    tune::not_counted,
 };
 
 /// The most common triangles, by additions ([`Sum`]): less than 256 pixels high, with all of their columns in the window.
@@ -52,9 +53,7 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
                 long_is_left = !long_is_left;
                 continue;
             } else {
-                // If the compiler saw that y is counted, it would count an address beside it, and there are not enough
-                // registers.
-                y = black_box(y);
+                y = not_counted(y);
             }
             left.step();
             right.step();

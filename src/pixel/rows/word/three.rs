@@ -2,7 +2,7 @@
 
 use bytemuck::pod_align_to_mut;
 
-use crate::tune::keep_rolled;
+use crate::tune::{keep_rolled, ARMV6, RISCV};
 
 /// A run of 3-byte pixels: four of them make three words.
 #[inline(never)]
@@ -27,7 +27,7 @@ pub(super) fn fill_span24(run: &mut [u8], bits: u32) {
         if let Some(group) = group.first_chunk_mut() {
             *group = [x, y, z, x, y, z, x, y, z, x, y, z];
         }
-        keep_rolled();
+        keep_rolled(ARMV6);
     }
     for group in groups.into_remainder().chunks_mut(3) {
         put_first(group, [x, y, z]);
@@ -40,6 +40,6 @@ pub(super) fn fill_span24(run: &mut [u8], bits: u32) {
 fn put_first<T: Copy, const N: usize>(places: &mut [T], values: [T; N]) {
     for (place, value) in places.iter_mut().zip(values) {
         *place = value;
-        keep_rolled();
+        keep_rolled(RISCV);
     }
 }

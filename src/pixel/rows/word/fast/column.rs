@@ -1,6 +1,9 @@
 //! Vertical runs.
 
-use crate::{pixel::rows::word::parts::fill_every, tune::keep_rolled};
+use crate::{
+    pixel::rows::word::parts::fill_every,
+    tune::{keep_rolled, ARM},
+};
 
 /// The first pixel, and one every `pitch` pixels. Four quarters at a time: as long as each other, they share the index and
 /// its one comparison.
@@ -16,7 +19,7 @@ pub(in crate::pixel::rows::word) fn fill_column<P: Copy>(pixels: &mut [P], (pitc
     while let (Some(a), Some(b), Some(c), Some(d)) = (a.get_mut(at), b.get_mut(at), c.get_mut(at), d.get_mut(at)) {
         (*a, *b, *c, *d) = (pixel, pixel, pixel, pixel);
         at = at.wrapping_add(pitch);
-        keep_rolled();
+        keep_rolled(ARM);
     }
     fill_every(after, pitch, pixel);
 }

@@ -5,7 +5,7 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut};
 use super::strips::{copy_strips, STRIPS};
 use crate::{
     pixel::rows::word::parts::{copy_each, each_pair_of_rows},
-    tune::{keep_rolled, UNALIGNED},
+    tune::UNALIGNED,
 };
 
 /// Copies `rows` rows of `len` bytes, the first ones at the start of each memory and the others a stride after the last;
@@ -34,12 +34,9 @@ fn copy_unaligned(to: &mut [u8], from: &[u8]) {
                 if let (Some(to), Some(from)) = (to.first_chunk_mut(), from.first_chunk()) {
                     put16(to, from);
                 }
-                // Keeps the loads of the second half from crowding the registers.
-                keep_rolled();
                 if let (Some(to), Some(from)) = (to.last_chunk_mut(), from.last_chunk()) {
                     put16(to, from);
                 }
-                keep_rolled();
             }
             match (to.last_chunk_mut::<32>(), from.last_chunk::<32>()) {
                 (Some(to), Some(from)) => copy_ends(to, from, put16),
@@ -93,7 +90,6 @@ fn copy_aligned(to: &mut [u8], from: &[u8]) {
             if let ([a, b, c, d], [p, q, r, s]) = (to, from) {
                 (*a, *b, *c, *d) = (*p, *q, *r, *s);
             }
-            keep_rolled();
         }
         copy_each(groups.into_remainder(), from_groups.remainder().iter().copied());
     } else if let ([], from, []) = pod_align_to::<u8, [u16; 2]>(from_words) {

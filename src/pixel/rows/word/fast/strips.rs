@@ -2,7 +2,7 @@
 
 use bytemuck::{cast, cast_ref, pod_align_to_mut};
 
-use crate::tune::keep_rolled;
+use crate::tune::keep_order;
 
 /// Rows of at least this many bytes, eight aligned words, are copied by strips.
 pub(super) const STRIPS: usize = 4 * 8 + 3;
@@ -52,7 +52,6 @@ fn strip<T>(
     if stride >= 16 && from_stride >= 64 {
         for (to, from) in body.chunks_exact_mut(stride).zip(from_body.chunks_exact(from_stride)) {
             copy(to, from);
-            keep_rolled();
         }
     }
     copy(last, from_last);
@@ -74,10 +73,9 @@ fn copy_words<const N: usize>(to: &mut [u32], from: &[u8]) {
         let from = sources.next().and_then(<[u8]>::first_chunk).map(cast_ref::<[u8; 16], [[u8; 4]; 4]>);
         if let ([a, b, c, d], Some([p, q, r, s])) = (to, from) {
             let (p, q, r, s) = (cast(*p), cast(*q), cast(*r), cast(*s));
-            // Stores that follow each other become double ones.
-            keep_rolled();
             (*a, *b, *c, *d) = (p, q, r, s);
-            keep_rolled();
+            // Stores that follow each other, with no loads between them, become double ones.
+            keep_order();
         }
     }
 }

@@ -5,7 +5,7 @@ use bytemuck::pod_align_to_mut;
 use super::words::{fill_words, nine_names};
 use crate::{
     pixel::rows::word::parts::{each_row, put_ends, turned},
-    tune::keep_rolled,
+    tune::{keep_rolled, ARMV7},
 };
 
 /// Rows of at least this many bytes are filled by multiple stores.
@@ -26,7 +26,7 @@ pub(super) fn fill_rows_wide(memory: &mut [u8], stride: usize, len: usize, word:
         let (_, words, _) = pod_align_to_mut::<u8, u32>(row);
         for five in words.chunks_exact_mut(40) {
             five.chunks_exact_mut(8).for_each(|place| place.copy_from_slice(&group));
-            keep_rolled();
+            keep_rolled(ARMV7);
         }
         if let Some(last) = words.last_chunk_mut::<40>() {
             last.chunks_exact_mut(8).for_each(|place| place.copy_from_slice(&group));
@@ -56,6 +56,5 @@ fn fill_rounds(words: &mut [u32], w: u32) {
     let group = [v[7], v[0], v[6], v[2], v[1], v[8], v[4], v[3], v[5]];
     for round in words.chunks_exact_mut(126) {
         round.chunks_exact_mut(9).for_each(|place| place.copy_from_slice(&group));
-        keep_rolled();
     }
 }

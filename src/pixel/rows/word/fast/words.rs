@@ -1,8 +1,8 @@
 //! Aligned words of one value.
 
-use core::{hint::black_box, mem::take};
+use core::mem::take;
 
-use crate::tune::{keep_rolled, of_no_origin, MULTIPLE, UNALIGNED};
+use crate::tune::{hidden_zero, keep_rolled, of_no_origin, ARMV6, ARMV7, MULTIPLE, UNALIGNED};
 
 /// Aligned words.
 #[inline(always)]
@@ -32,7 +32,7 @@ pub(super) fn fill_words(words: &mut [u32], w: u32) {
                 sixteen(front, w);
                 sixteen(back, w);
             }
-            keep_rolled();
+            keep_rolled(ARMV7);
         }
         if let Some(first) = groups.into_remainder().first_chunk_mut::<16>() {
             sixteen(first, w);
@@ -46,7 +46,7 @@ pub(super) fn fill_words(words: &mut [u32], w: u32) {
     let mut groups = rest.chunks_exact_mut(8);
     for group in &mut groups {
         eight(group, w);
-        keep_rolled();
+        keep_rolled(ARMV6);
     }
     let mut rest = groups.into_remainder();
     if rest.len() & 4 != 0 {
@@ -73,16 +73,15 @@ fn fill_multiple(words: &mut [u32], w: u32) -> &mut [u32] {
     let mut rounds = words.chunks_exact_mut(4);
     for round in &mut rounds {
         round.copy_from_slice(&[a, b, d, c]);
-        keep_rolled();
     }
     rounds.into_remainder()
 }
 
 /// A word nine times, under names that a compiler cannot tell to be equal: each is made in another way from the word and
-/// a zero whose value is hidden. Of values that it knows to be equal it would keep one, in one register.
+/// a [hidden zero](hidden_zero). Of values that it knows to be equal it would keep one, in one register.
 #[inline(always)]
 pub(super) fn nine_names(w: u32) -> [u32; 9] {
-    let z = black_box(0_u32);
+    let z = hidden_zero();
     [
         w,
         w ^ z,
