@@ -39,7 +39,7 @@ impl<S: Readable, P: Fn(S::Color) -> bool> FloodTarget for Area<'_, S, P> {
 
     #[inline]
     fn paint_pixel(&mut self, x: i32, y: i32) {
-        self.surface.set(Point::new(x, y), self.color);
+        self.surface.fill_span(ClippedSpan::inside(y, x, x.wrapping_add(1)), self.color);
     }
 
     #[inline]

@@ -104,10 +104,26 @@ pub(in crate::pixel::rows) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[
 #[inline(always)]
 pub(in crate::pixel::rows) fn write<F: PixelFormat>(run: &mut [u8], mut next: impl FnMut() -> Option<u32>) {
     match F::BITS {
-        8 => each(run, |place| put(place, next().map(|bits| [low_u8(bits)]))),
-        16 => each(run, |place| put(place, next().map(|bits| low_u16(bits).to_le_bytes()))),
-        24 => each(run, |place| put(place, next().map(three))),
-        _ => each(run, |place| put(place, next().map(u32::to_le_bytes))),
+        8 => each(run, |place| {
+            if let Some(bits) = next() {
+                *place = [low_u8(bits)];
+            }
+        }),
+        16 => each(run, |place| {
+            if let Some(bits) = next() {
+                *place = low_u16(bits).to_le_bytes();
+            }
+        }),
+        24 => each(run, |place| {
+            if let Some(bits) = next() {
+                *place = three(bits);
+            }
+        }),
+        _ => each(run, |place| {
+            if let Some(bits) = next() {
+                *place = bits.to_le_bytes();
+            }
+        }),
     }
 }
 
@@ -134,12 +150,5 @@ where
     let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(run);
     for pixel in pixels {
         f(pixel);
-    }
-}
-
-#[inline(always)]
-fn put<const N: usize>(place: &mut [u8; N], pixel: Option<[u8; N]>) {
-    if let Some(pixel) = pixel {
-        *place = pixel;
     }
 }
