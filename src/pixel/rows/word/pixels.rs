@@ -5,12 +5,15 @@ use bytemuck::{pod_align_to, pod_align_to_mut, Pod};
 use crate::{
     num::cast::{low_u16, low_u8},
     pixel::format::PixelFormat,
-    tune::{COMPACT, VECTORS},
+    tune::{COMPACT, UNALIGNED, VECTORS},
 };
 
 /// Whether pixels are compared four at a time. Computers do more of them at once by
 /// themselves.
 const FOURS: bool = !VECTORS && !COMPACT;
+
+/// Whether two bytes are one load only where their address is even, which is worth a look.
+const HALVES: bool = !UNALIGNED && !COMPACT;
 
 /// Writes the pixel at byte `at`.
 #[inline(always)]
@@ -90,6 +93,17 @@ pub(in crate::pixel::rows) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[
             (to, from) = (groups.into_remainder(), sources.remainder());
         }
         to.iter_mut().zip(from).for_each(|(place, pixel)| put(place, pixel));
+    }
+    if HALVES && F::BITS == 16 {
+        if let (([], to, []), ([], from, [])) = (pod_align_to_mut::<u8, u16>(to), pod_align_to::<u8, u16>(from)) {
+            let key = low_u16(key).to_le();
+            for (place, &pixel) in to.iter_mut().zip(from) {
+                if pixel != key {
+                    *place = pixel;
+                }
+            }
+            return;
+        }
     }
     let runs = (to, from);
     match F::BITS {
