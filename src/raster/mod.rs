@@ -11,8 +11,8 @@
 //! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!
 //! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a
-//! [`Sink`](crate::Sink), which receives what lies in the window. The order is the same for all shapes: see there. Work depends
-//! on the window, not on the size of the coordinates, and no coordinate is moved into the window to achieve that.
+//! [`Sink`](crate::Sink), which receives what lies in the window, and says in which order. Work depends on the window, not on
+//! the size of the coordinates, and no coordinate is moved into the window to achieve that.
 //!
 //! Functions named `extent` return a box that encloses a shape, without drawing it.
 

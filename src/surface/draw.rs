@@ -9,7 +9,7 @@ use super::{
     frame::Frame,
     layout::Layout,
     rows::Rows,
-    traits::{Readable, Surface},
+    traits::{copy_by_pixels, Readable, Surface},
 };
 use crate::{
     pixel::PixelFormat,
@@ -99,12 +99,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
             let (memory, grid) = self.write();
             return L::copy((memory, grid, to), from, (plan.width as usize, plan.height as usize), key);
         }
-        plan.each_row(|span, (from_x, from_y)| {
-            self.write_some(span, |x| {
-                let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
-                Some(color).filter(|_| key != Some(color))
-            });
-        });
+        copy_by_pixels(self, plan, picture, key);
     }
 
     fn copy_mask<N, F>(&mut self, at: Point, mask: &Frame<N, Rows<F>>, on: L::Color, off: Option<L::Color>)

@@ -13,8 +13,8 @@ use crate::{
 
 /// Pixels in memory: a whole screen, a band of one, or a view of a part.
 ///
-/// * `M` is the memory. What can be seen as bytes (`AsRef<[u8]>`) can be read; what can be changed (`AsMut<[u8]>`) can be
-///   drawn on: `&mut [u8]`, an array, a `heapless::Vec`, or `&[u8]` for pictures in flash.
+/// * `M` is the memory: `&mut [u8]`, an array or a `heapless::Vec` to draw on and to read, or `&[u8]` to read only, such as a
+///   picture in flash. What is `AsRef<[u8]>` can be read, what is `AsMut<[u8]>` can be drawn on.
 /// * `L` says where in the memory a pixel is: see [`Layout`].
 ///
 /// Drawing outside is clipped. [`Framebuffer`](super::Framebuffer), [`Bitmap`](super::Bitmap) and [`Paged`](super::Paged) are
@@ -136,6 +136,16 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
     pub(super) fn read(&self) -> (&[u8], Grid) {
         (self.memory.as_ref(), self.grid)
     }
+
+    /// The bytes of a range of pages of `page` rows each. Rows are pages of one row.
+    pub(super) fn run_of_bytes(&self, range: Range<u16>, page: u16) -> &[u8] {
+        let row = |n: u16| i32::from(n).wrapping_mul(page.into());
+        // The last page may have fewer rows.
+        let inside = row(range.start) >= self.window.y0 && row(range.end) < self.window.y1.saturating_add(page.into());
+        let byte = |n: u16| (self.y(row(n)) / usize::from(page)).wrapping_mul(self.grid.stride);
+        let memory = self.memory.as_ref();
+        memory.get(byte(range.start)..byte(range.end).min(memory.len())).filter(|_| inside).unwrap_or_default()
+    }
 }
 
 impl<M, L> Frame<M, L> {
@@ -179,6 +189,14 @@ impl<M, L> Frame<M, L> {
     #[inline(always)]
     pub(super) fn columns(&self, span: ClippedSpan) -> (usize, usize) {
         (self.x(span.x0()), self.x(span.x1()))
+    }
+
+    /// Rows and columns in memory of the part of `area` that lies in the window.
+    #[inline(always)]
+    pub(super) fn places(&self, area: Rect) -> Option<((usize, usize), (usize, usize))> {
+        let Rect { x0, y0, x1, y1 } = area.intersection(self.window);
+        let is_empty = x0 >= x1 || y0 >= y1;
+        (!is_empty).then(|| ((self.y(y0), self.y(y1)), (self.x(x0), self.x(x1))))
     }
 
     /// The same frame around another form of the same bytes.
@@ -235,16 +253,6 @@ impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
     }
 }
 
-impl<M, L> Frame<M, L> {
-    /// Rows and columns in memory of the part of `area` that lies in the window.
-    #[inline(always)]
-    pub(super) fn places(&self, area: Rect) -> Option<((usize, usize), (usize, usize))> {
-        let Rect { x0, y0, x1, y1 } = area.intersection(self.window);
-        let is_empty = x0 >= x1 || y0 >= y1;
-        (!is_empty).then(|| ((self.y(y0), self.y(y1)), (self.x(x0), self.x(x1))))
-    }
-}
-
 impl<L: Layout> Frame<&mut [u8], L> {
     /// The part of it in `area`, as a surface of its own whose (0, 0) is the top left corner of `area`.
     ///
@@ -273,18 +281,6 @@ impl<L: Layout> Frame<&[u8], L> {
     #[must_use]
     pub fn clipped(&self, area: Rect) -> Self {
         self.within(area)
-    }
-}
-
-impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
-    /// The bytes of a range of pages of `page` rows each. Rows are pages of one row.
-    pub(super) fn run_of_bytes(&self, range: Range<u16>, page: u16) -> &[u8] {
-        let row = |n: u16| i32::from(n).wrapping_mul(page.into());
-        // The last page may have fewer rows.
-        let inside = row(range.start) >= self.window.y0 && row(range.end) < self.window.y1.saturating_add(page.into());
-        let byte = |n: u16| (self.y(row(n)) / usize::from(page)).wrapping_mul(self.grid.stride);
-        let memory = self.memory.as_ref();
-        memory.get(byte(range.start)..byte(range.end).min(memory.len())).filter(|_| inside).unwrap_or_default()
     }
 }
 

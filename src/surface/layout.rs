@@ -13,7 +13,10 @@
 
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-use crate::span::{Octants, Steps};
+use crate::{
+    pixel::rows::mask,
+    span::{Octants, Steps},
+};
 
 /// How many rows there are in memory, and how far apart they are.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -252,18 +255,10 @@ pub trait Layout: 'static {
         grid: Grid,
         y: usize,
         columns: (usize, usize),
-        mut bits: impl FnMut() -> u32,
+        bits: impl FnMut() -> u32,
         (on, off): (Self::Color, Option<Self::Color>),
     ) {
-        let (mut eight, mut left) = (0_u32, 0_u32);
-        Self::write_span(memory, grid, y, columns, || {
-            if left == 0 {
-                (eight, left) = (bits(), 8);
-            }
-            let color = if eight >> 31 != 0 { Some(on) } else { off };
-            eight <<= 1;
-            left = left.wrapping_sub(1);
-            color
-        });
+        let mut is_set = mask::one_by_one(bits);
+        Self::write_span(memory, grid, y, columns, || if is_set() { Some(on) } else { off });
     }
 }

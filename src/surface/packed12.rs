@@ -42,7 +42,7 @@ impl Layout for Packed12 {
 
     #[inline]
     fn row_bytes(width: u16) -> usize {
-        // 12 bits each, below 2^20 in all: in an order that fits 16 bits too.
+        // One byte and a half for each. The sum could leave a `usize` of 16 bits: then no memory is large enough.
         let width = usize::from(width);
         width.saturating_add(width.div_ceil(2))
     }

@@ -58,7 +58,7 @@ fn start(grid: Grid, y: usize) -> usize {
     y.wrapping_mul(grid.stride)
 }
 
-/// Row by row; built for speed, in a function of its own with registers of its own.
+/// Row by row. Built for speed it is a function of its own: inlined, its loop would share the registers of what is around it.
 #[cfg_attr(not(embedded_raster_compact), inline(never))]
 fn copy_keyed<F: PixelFormat>(
     (to, to_stride, (to_x, mut to_row)): (&mut [u8], usize, (usize, usize)),

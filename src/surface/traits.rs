@@ -4,7 +4,7 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
 
 use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows};
 use crate::{
-    pixel::PixelFormat,
+    pixel::{rows::mask::one_by_one, PixelFormat},
     span::{ClippedSpan, Octants, Rect, Span, Steps},
 };
 
@@ -13,8 +13,8 @@ use crate::{
 ///
 /// It has a *window*, the pixels that it can paint, and paints spans that were clipped against that window. All other methods
 /// have defaults in terms of [`fill_span`](Self::fill_span); they are there to paint the same pixels faster. So a wrapper that
-/// has no more than the two sees everything that is drawn. Shapes are drawn by [`Canvas`](crate::Canvas), which every surface
-/// has.
+/// implements only [`window`](Self::window) and [`fill_span`](Self::fill_span) sees everything that is drawn. Shapes are drawn
+/// by [`Canvas`](crate::Canvas), which every surface has.
 ///
 /// ```
 /// use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
@@ -110,13 +110,9 @@ pub trait Surface {
         M: AsRef<[u8]>,
         L: Layout<Color = Self::Color>,
     {
-        let Some(plan) = Plan::new(self.window(), at, picture.window()) else { return };
-        plan.each_row(|span, (from_x, from_y)| {
-            self.write_some(span, |x| {
-                let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
-                Some(color).filter(|_| key != Some(color))
-            });
-        });
+        if let Some(plan) = Plan::new(self.window(), at, picture.window()) {
+            copy_by_pixels(self, plan, picture, key);
+        }
     }
 
     /// Paints a picture of one bit per pixel so that its top left pixel falls on `at`: a set bit in the colour `on`, any other in
@@ -129,18 +125,27 @@ pub trait Surface {
     {
         let Some(plan) = Plan::new(self.window(), at, mask.window()) else { return };
         plan.each_row(|span, (from_x, from_y)| {
-            let (mut bits, mut eight, mut left) = (mask.bits(from_x, from_y), 0_u32, 0_u32);
-            self.write_some(span, |_| {
-                if left == 0 {
-                    (eight, left) = (bits.next(), 8);
-                }
-                let color = if eight >> 31 != 0 { Some(on) } else { off };
-                eight <<= 1;
-                left = left.wrapping_sub(1);
-                color
-            });
+            let mut bits = mask.bits(from_x, from_y);
+            let mut is_set = one_by_one(|| bits.next());
+            self.write_some(span, |_| if is_set() { Some(on) } else { off });
         });
     }
+}
+
+/// Copies the pixels of a picture that a plan names, one by one, except those of the colour `key`.
+#[inline(always)]
+pub(super) fn copy_by_pixels<S, M, L>(to: &mut S, plan: Plan, picture: &Frame<M, L>, key: Option<S::Color>)
+where
+    S: Surface,
+    M: AsRef<[u8]>,
+    L: Layout<Color = S::Color>,
+{
+    plan.each_row(|span, (from_x, from_y)| {
+        to.write_some(span, |x| {
+            let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
+            Some(color).filter(|_| key != Some(color))
+        });
+    });
 }
 
 /// A surface whose pixels can be read: what flood fills, scrolling and blending need. A foreign `DrawTarget` is none.

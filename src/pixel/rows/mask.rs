@@ -52,6 +52,21 @@ impl<'a> Bits<'a> {
     }
 }
 
+/// One pixel of a mask at a time, where `bits` gives eight, the leftmost in bit 31.
+#[inline(always)]
+pub(crate) fn one_by_one(mut bits: impl FnMut() -> u32) -> impl FnMut() -> bool {
+    let (mut eight, mut left) = (0_u32, 0_u32);
+    move || {
+        if left == 0 {
+            (eight, left) = (bits(), 8);
+        }
+        let is_set = top(eight);
+        eight <<= 1;
+        left = left.wrapping_sub(1);
+        is_set
+    }
+}
+
 /// Writes the pixels `x0..x1` of the row that starts at byte `row`: `on` where the mask is set, `off`, or nothing, elsewhere.
 /// `bits` gives eight pixels of the mask at a time, the leftmost in bit 31.
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Looking for pixels along a row in memory.
 
-use super::{packed, word};
+use super::{get, word};
 use crate::pixel::format::{byte, bytes_per_pixel, PixelFormat};
 
 /// The first of pixels `x0..x1` of the row that starts at byte `row` whose colour is wanted; `x1` if none is.
@@ -50,16 +50,6 @@ pub(crate) fn start<F: PixelFormat>(
         x = x.wrapping_sub(1);
     }
     x
-}
-
-/// Reads one pixel; 0 beyond the memory.
-#[inline(always)]
-fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
-    if F::BITS < 8 {
-        packed::get::<F>(memory, row, x)
-    } else {
-        word::get::<F>(memory, byte::<F>(row, x))
-    }
 }
 
 /// Paints pixels `by` bytes apart for as long as they are open and the pixels left and right of each are not. Returns how

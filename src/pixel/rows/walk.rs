@@ -17,8 +17,7 @@ use crate::{
         round::fraction,
     },
     pixel::format::{bytes_per_pixel, PixelFormat},
-    span::Octants,
-    span::Steps,
+    span::{Octants, Steps},
     tune::{keep_branch, COMPACT, DIVIDES},
 };
 

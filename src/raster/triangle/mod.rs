@@ -9,9 +9,9 @@
 //!     /           \      x1 = first centre at or right of the right edge
 //!    b-------------c     drawn: x0 <= x < x1, the same rounding on both sides
 //! ```
-//! There are two ways to the same pixels. [`fill`] solves each row for its two ends, the crossings of
-//! a side: what flat fills use. [`walk`] steps the three edge functions over the bounding box: what values
-//! that change across the triangle build on.
+//! There are two ways to the same pixels. [`fill`] solves each row for its two ends, where the sides cross it: for triangles of
+//! one colour. [`walk`] steps the three edge functions over the bounding box: for values that change from pixel to pixel, such
+//! as shades, as they can be stepped beside the edge functions.
 //!
 //! The *long* side from the top corner to the bottom one faces two short ones. Which of two sides is the left one need not be
 //! computed. Crossings are rounded the same way on both, and rounding keeps the order: on every row the left one is not
@@ -94,6 +94,7 @@ mod tests {
     use super::*;
     use crate::span::ClippedSpan;
     use std::{vec, vec::Vec};
+    use twins::rng::Rng;
 
     fn both(corners: [(i32, i32); 3], window: Rect) -> [Vec<(i32, i32, i32)>; 2] {
         let vertices = corners.map(|(x, y)| PointFx::from_bits(x, y));
@@ -115,11 +116,8 @@ mod tests {
 
     #[test]
     fn random_triangles_agree_in_every_way() {
-        let mut state = 1_u64;
-        let mut random = |bits: u32| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 32) as u32 as i32) >> (32 - bits)
-        };
+        let mut rng = Rng::new(301);
+        let mut random = |bits: u32| (rng.bits() as i32) >> (32 - bits);
         for i in 0..200_000 {
             let bits = [10, 12, 14, 16, 17, 20, 25, 32][i % 8];
             let corners = [(); 3].map(|()| (random(bits), random(bits)));
@@ -131,11 +129,8 @@ mod tests {
 
     #[test]
     fn sums_agree_up_to_their_limits() {
-        let mut state = 7_u64;
-        let mut random = |below: i32| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (((state >> 33) * u64::from(below.unsigned_abs())) >> 31) as i32
-        };
+        let mut rng = Rng::new(302);
+        let mut random = |below: i32| rng.int(0, below - 1);
         for i in 0..60_000 {
             let columns = [320, 1023, 64, 1024][i % 4];
             let (width, height) = (random(columns * 256) + 1, random([13, 54, 257, 400][i / 4 % 4] * 256) + 1);

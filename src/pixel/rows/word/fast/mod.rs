@@ -28,13 +28,7 @@ pub(in crate::pixel::rows) fn fill_span(run: &mut [u8], word: u32) {
         return fill_short(run, word);
     }
     if UNALIGNED {
-        let bytes = word.to_le_bytes();
-        if let Some(first) = run.first_chunk_mut() {
-            *first = bytes;
-        }
-        if let Some(last) = run.last_chunk_mut() {
-            *last = bytes;
-        }
+        put_ends(run, word.to_le_bytes());
         let (head, middle, _) = pod_align_to_mut::<u8, u32>(run);
         fill_words(middle, turned(word, head.len()).to_le());
     } else {
