@@ -7,11 +7,11 @@ use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{Rgb555, Rgb565, Rgb888},
 };
-use embedded_raster::{pixel::Lsb0, Index1, Index2, Index4, Index8, PixelFormat, Rect};
+use embedded_raster::{pixel::Lsb0, surface::Rows, Index1, Index2, Index4, Index8, PixelFormat, Rect};
 use input::Input;
 use libfuzzer_sys::fuzz_target;
 use twins::{
-    frame::Frame,
+    frame::{Kind, Of},
     memory::{Format, Naive},
     rng::Rng,
 };
@@ -56,13 +56,18 @@ fn copy<F: PixelFormat>(input: &mut Input<'_>) {
     let at = Point::new(at.x.saturating_add(dx.into()), at.y.saturating_add(dy.into()));
     let choice = input.byte();
     let key = source.get((input.byte() % 80).into(), (input.byte() % 8).into()).filter(|_| choice & 1 == 0);
-    let mut frame = twin.frame::<F>(&mut real);
-    let mut target = frame.clipped(clip);
+    {
+        let mut frame = Of::<Rows<F>, F>::rows().open(&twin, &mut real);
+        let mut target = frame.clipped(clip);
+        if choice & 2 == 0 {
+            target.blit(at, &source, part, key);
+        } else {
+            target.move_area(part, at, key);
+        }
+    }
     if choice & 2 == 0 {
-        Frame::blit(&mut target, at, &source, part, key);
         twin.blit(clip, at, &source, part, key);
     } else {
-        Frame::move_area(&mut target, part, at, key);
         twin.move_area(clip, part, at, key);
     }
     twin.assert_same(&real, &|| format!("{part:?} at {at} in {clip:?}"));

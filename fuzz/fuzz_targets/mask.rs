@@ -9,12 +9,13 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     pixel::{Be, Lsb0, Xrgb8888},
+    surface::Rows,
     Index1, Index2, Index4, Index8, PixelFormat,
 };
 use input::Input;
 use libfuzzer_sys::fuzz_target;
 use twins::{
-    frame::Frame,
+    frame::{Kind, Of},
     memory::{Format, Naive},
     rng::Rng,
 };
@@ -51,8 +52,7 @@ fn draw<F: PixelFormat>(input: &mut Input<'_>) {
     let at = Point::new(input.near(0, 1), input.near(0, 1));
     let format = Format::of::<F>();
     let colors = (format.random(&mut rng), (choice & 2 == 0).then(|| format.random(&mut rng)));
-    let mut frame = twin.frame::<F>(&mut real);
-    Frame::blit_mask(&mut frame.clipped(clip), at, &mask, part, colors.0, colors.1);
+    Of::<Rows<F>, F>::rows().open(&twin, &mut real).clipped(clip).blit_mask(at, &mask, part, colors.0, colors.1);
     twin.blit_mask(clip, at, &mask, part, colors);
     twin.assert_same(&real, &|| format!("{part:?} of a mask at {at} in {clip:?}"));
 }

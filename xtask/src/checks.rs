@@ -46,6 +46,7 @@ fn quick(switched_tests: &[&[&str]], switched_cases: u32) -> Result<()> {
     cargo_step("format", &["fmt", "--all", "--check"])?;
     cargo_step("clippy", &["clippy", "--workspace", "--all-targets"])?;
     cargo_step("clippy with defmt", &["clippy", "--package", "embedded-raster", "--features", "defmt"])?;
+    cargo_step("fuzz targets", &["check", "--manifest-path", "fuzz/Cargo.toml"])?;
     cargo_step("documentation", &["doc", "--workspace", "--no-deps"])?;
     cargo_step("tests", &["test", "--workspace"])?;
     for switches in switched() {
