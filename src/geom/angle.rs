@@ -101,10 +101,11 @@ impl Angle {
         I16F16::from_bits(if bits == 360 << 16 { 0 } else { signed(bits) })
     }
 
-    /// Cosine and sine in units of `2^-30`, each at most 32 of these units off. Where they come from is told in
+    /// Cosine and sine in units of `2^-30`, each at most 0.55 of these units off. Where they come from is told in
     /// `num::trig`.
     ///
-    /// Quarters of a turn are exact. Directions that are mirror images of each other, at an axis or at a diagonal, have
+    /// No direction turns back: of two angles, the later one is clockwise from the earlier one, be it by one unit only. Quarters of
+    /// a turn are exact, and eighths have equal coordinates. Directions that are mirror images of each other, at an axis or at a diagonal, have
     /// exactly mirrored results.
     pub fn cos_sin(self) -> (i32, i32) {
         cos_sin(self.0)

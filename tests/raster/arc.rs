@@ -15,9 +15,9 @@ use embedded_raster::{
         ellipse::Ellipse,
         rounded::{self, Radii},
     },
-    Angle, Canvas, PointFx, Rect,
+    Angle, Canvas, ClippedSpan, PointFx, Rect,
 };
-use fixed::types::I24F8;
+use fixed::types::{I16F16, I24F8};
 use twins::{
     assert_runs, collect,
     rng::{cases, Rng},
@@ -115,7 +115,9 @@ fn pies_are_whole() {
     for _ in 0..cases(2_000) {
         let centre = PointFx::from_bits(128 * rng.int(-4, 4), 128 * rng.int(-4, 4) + rng.int(0, 1));
         let pie = Ellipse::circle(centre, I24F8::from_bits(rng.int(1, 2_500)));
-        let mut angles: Vec<u32> = (0..rng.range(2, 7)).map(|_| rng.bits() as u32 & 0xfc00_0000).collect();
+        let mut angles: Vec<u32> = (0..rng.range(2, 7))
+            .map(|_| (rng.bits() as u32 & 0xfc00_0000).wrapping_add_signed(rng.int(-1, 1)))
+            .collect();
         angles.sort_unstable();
         angles.dedup();
         let mut hits = twins::hits::Hits::new(window);
@@ -237,4 +239,69 @@ fn picture() {
     let sides = "#.........#\n".repeat(4);
     let got = twins::picture(area, &collect(area, |emit| rounded::outline(area, radii, area, emit)));
     assert_eq!(got, format!(".#########.\n{sides}.##########\n"));
+}
+
+/// How many pixels of the disc of nine pixels a sector paints, and whether all in row 4 right of the middle are among them.
+fn painted(sector: Sector) -> (usize, Vec<(i32, i32, i32)>) {
+    let area = Rect::new(0, 0, 9, 9);
+    let mut rows = vec![];
+    arc::fill(Ellipse::in_box(area), sector, area, |s: ClippedSpan| rows.push((s.y(), s.x0(), s.x1())));
+    (rows.iter().map(|&(_, x0, x1)| (x1 - x0) as usize).sum(), rows)
+}
+
+/// Directions that differ by one unit are told apart, next to eighths of a turn too.
+#[test]
+fn sectors_of_one_unit_and_of_all_but_one() {
+    let [first, last] = [0, u32::MAX].map(Angle::from_bits);
+    assert!(Sector::new(first, last).contains(-1, 0));
+    assert_eq!(painted(Sector::new(first, last)).0, 69, "no centre lies in the last unit");
+    assert_eq!(painted(Sector::new(first, Angle::from_bits(1))), (5, vec![(4, 4, 9)]), "the half axis with the middle");
+    let axes = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
+    for (i, axis) in (0..).zip(axes) {
+        let at = Angle::turns(i, 8);
+        let [before, after] = [at.plus(-1), at.plus(1)];
+        let has = |start, end, (u, v): (i64, i64)| Sector::new(start, end).contains(5 * u, 5 * v);
+        for other in axes {
+            let same = axis == other;
+            assert_eq!(has(at, after, other), same, "one unit from eighth {i} on: {other:?}");
+            assert!(!has(before, at, other), "one unit up to eighth {i}: {other:?}");
+            assert_eq!(has(before, after, other), same, "two units around eighth {i}: {other:?}");
+            assert_eq!(has(after, at, other), !same, "all but one unit after eighth {i}: {other:?}");
+            assert_eq!(has(after, before, other), !same, "all but two units around eighth {i}: {other:?}");
+            assert!(has(at, before, other), "all but the unit before eighth {i}: {other:?}");
+        }
+    }
+}
+
+#[test]
+fn a_whole_turn_is_everything() {
+    let third = Angle::turns(1, 3);
+    let thirds = [0, 1, 2].map(|i| painted(Sector::new(third * i, third * (i + 1))).0);
+    assert_eq!(thirds.iter().sum::<usize>(), 69, "three times a third, rounded down: {thirds:?}");
+    let sweep = |start, degrees: f64| Sector::sweep(Angle::degrees(start), I16F16::from_num(degrees));
+    for degrees in [360.0, -360.0, 360.5, 720.0, 32_767.0, -32_768.0] {
+        for start in [0, 45, -90] {
+            assert_eq!(painted(sweep(start, degrees)).0, 69, "{degrees} degrees from {start} on");
+        }
+    }
+    assert_eq!(painted(sweep(30, 0.0)).0, 0, "no sweep");
+    for degrees in [1.0, 90.0, 179.5, 180.0, 200.0, 359.75] {
+        let end = Angle::degrees(10) + Angle::degrees_fx(I16F16::from_num(degrees));
+        assert_eq!(sweep(10, degrees), Sector::new(Angle::degrees(10), end), "{degrees} degrees");
+        assert_eq!(Sector::sweep(end, I16F16::from_num(-degrees)), sweep(10, degrees), "{degrees} degrees back");
+    }
+    assert_eq!(painted(Sector::slice(7, 5, 0)).0, 0, "of no parts");
+    for of in [1, 2, 3, 7, 100, u16::MAX] {
+        let parts = u32::from(of);
+        for start in [0, 1, parts - 1, parts, u32::MAX] {
+            assert_eq!(painted(Sector::slice(start, 0, of)).0, 0, "nothing of {of}");
+            for length in [parts, parts + 1, u32::MAX] {
+                assert_eq!(painted(Sector::slice(start, length, of)).0, 69, "{length} of {of} from {start} on");
+            }
+        }
+    }
+    for of in [1_u16, 2, 3, 7, 12, 100] {
+        let slices = (0..of.into()).map(|i| painted(Sector::slice(i, 1, of)).0);
+        assert_eq!(slices.sum::<usize>(), 69, "{of} slices");
+    }
 }

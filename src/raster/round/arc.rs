@@ -1,6 +1,6 @@
 //! Arcs, sectors and rings: the part of an ellipse that lies between two directions, or outside of another ellipse.
 //!
-//! A [`Sector`] goes clockwise from one [`Angle`] to another. Each angle stands for the direction vector
+//! A [`Sector`] goes clockwise from one [`Angle`] to another, or is a whole turn. Each angle stands for the direction vector
 //! `d = (cos, sin)` that [`Angle::cos_sin`] gives in whole numbers, and a pixel belongs to the sector when its centre
 //! p = (u, v), seen from the centre of the shape, lies at or after the first direction and before the second:
 //! ```text
@@ -17,6 +17,8 @@
 //! Along a row, pixels change sides of a direction at most once. Bisection finds where.
 //!
 //! Range: any ellipse, any angles.
+
+use fixed::types::I16F16;
 
 use super::{
     curve::{Curve, Ellipse},
@@ -35,27 +37,98 @@ use crate::{
 pub struct Sector {
     from: (i32, i32),
     to: (i32, i32),
+    extent: Extent,
+}
+
+/// How much of a turn a sector has.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Extent {
+    Nothing,
+    /// Half a turn or less.
+    Narrow,
     /// More than half a turn.
-    wide: bool,
-    empty: bool,
+    Wide,
+    Everything,
 }
 
 impl Sector {
-    /// Clockwise from `start` up to `end`, without `end`. From an angle to itself there is nothing.
+    /// Clockwise from `start` up to `end`, without `end`. From an angle to itself there is nothing: an [`Angle`] knows no whole
+    /// turns. Where all of a turn can occur, as in a gauge, use [`sweep`](Self::sweep) or [`slice`](Self::slice).
     /// ```
     /// use embedded_raster::{geom::Angle, raster::arc::Sector};
     /// let lower_right = Sector::new(Angle::degrees(0), Angle::degrees(90));
     /// assert!(lower_right.contains(3, 2) && lower_right.contains(3, 0) && !lower_right.contains(0, 3));
     /// ```
     pub fn new(start: Angle, end: Angle) -> Self {
-        let turn = start.clockwise_to(end);
-        Self { from: start.cos_sin(), to: end.cos_sin(), wide: turn > 1 << 31, empty: turn == 0 }
+        let extent = match start.clockwise_to(end) {
+            0 => Extent::Nothing,
+            1..=0x8000_0000 => Extent::Narrow,
+            _ => Extent::Wide,
+        };
+        Self { from: start.cos_sin(), to: end.cos_sin(), extent }
+    }
+
+    /// From `start` on, so many degrees clockwise, or the other way if negative. A full turn and more is everything.
+    ///
+    /// A sweep of -90 degrees has the directions that one of 90 degrees has which starts a quarter of a turn earlier: the first
+    /// direction, clockwise, is in and the last one out.
+    /// ```
+    /// use embedded_raster::{geom::Angle, raster::arc::Sector};
+    /// use fixed::types::I16F16;
+    /// let gauge = |percent: i16| Sector::sweep(Angle::degrees(-90), I16F16::from_num(percent) * 36 / 10);
+    /// assert!(!gauge(0).contains(0, -3)); // nothing
+    /// assert!(gauge(25).contains(2, -3) && !gauge(25).contains(-2, -3));
+    /// assert!(gauge(100).contains(-2, -3)); // everything
+    ///
+    /// let quarter = Sector::new(Angle::degrees(0), Angle::degrees(90));
+    /// assert_eq!(Sector::sweep(Angle::degrees(90), I16F16::from_num(-90)), quarter);
+    /// ```
+    pub fn sweep(start: Angle, degrees: I16F16) -> Self {
+        let end = start + Angle::degrees_fx(degrees);
+        let sector = if degrees < 0 { Self::new(end, start) } else { Self::new(start, end) };
+        if degrees.unsigned_abs() < 360 {
+            sector
+        } else {
+            Self { extent: Extent::Everything, ..sector }
+        }
+    }
+
+    /// From `start / of` turns on, `length / of` turns clockwise: a slice of a pie of `of` parts. A full turn and more is everything;
+    /// if `of` is 0 there is nothing.
+    ///
+    /// Each cut is rounded for itself ([`Angle::turns`]), so slices that follow each other meet, and those of a whole pie close it:
+    /// adding up a rounded angle would not.
+    /// ```
+    /// use embedded_raster::raster::arc::Sector;
+    /// let thirds = [0, 1, 2].map(|i| Sector::slice(i, 1, 3));
+    /// for (u, v) in [(1, 0), (5, -1), (-7, 12), (0, 0)] {
+    ///     assert_eq!(thirds.iter().filter(|third| third.contains(u, v)).count(), 1);
+    /// }
+    /// assert!(Sector::slice(0, 3, 3).contains(5, -1));
+    /// ```
+    pub fn slice(start: u32, length: u32, of: u16) -> Self {
+        let parts = u32::from(of.max(1));
+        // Whole turns drop out before they are added; then the sum is below 2^17.
+        let from = start % parts;
+        let sector = Self::new(Angle::turns(from, of), Angle::turns(from.wrapping_add(length % parts), of));
+        if length < parts || of == 0 {
+            sector
+        } else {
+            Self { extent: Extent::Everything, ..sector }
+        }
     }
 
     /// Whether a place lies in it, as seen from the centre, for distances below `2^32`.
     pub fn contains(&self, u: i64, v: i64) -> bool {
-        let (after, before) = (is_after(self.from, u, v), !is_after(self.to, u, v));
-        !self.empty && if self.wide { after || before } else { after && before }
+        let after = || is_after(self.from, u, v);
+        let before = || !is_after(self.to, u, v);
+        match self.extent {
+            Extent::Nothing => false,
+            Extent::Narrow => after() && before(),
+            Extent::Wide => after() || before(),
+            Extent::Everything => true,
+        }
     }
 }
 
@@ -130,6 +203,11 @@ pub fn ring_sector(outer: Ellipse, inner: Ellipse, sector: Sector, window: Rect,
 
 /// Emits the parts of a span that lie in a sector: two at most.
 fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink) {
+    match sector.extent {
+        Extent::Nothing => return,
+        Extent::Everything => return sink.span(span),
+        Extent::Narrow | Extent::Wide => {}
+    }
     let (x0, x1, y) = (span.x0(), span.x1(), span.y());
     let v = curve.v(y);
     let change = |direction: (i32, i32)| {
