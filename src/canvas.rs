@@ -1,17 +1,18 @@
 //! [`Canvas`]: shapes on surfaces, the everyday API.
 
 mod flood;
+mod ink;
 
 use core::{borrow::Borrow, iter::once};
 
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
 
-use self::flood::Area;
+use self::{flood::Area, ink::in_color};
 use crate::{
     error::EdgeTableFull,
     geom::{fill_rule::FillRule, Path, PathSegment, PointFx},
-    paint::{Brush, Paint, Solid},
+    paint::{Brush, Paint},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
@@ -52,7 +53,8 @@ use crate::{
 /// ```
 pub trait Canvas: Surface {
     /// Draws a shape in any paint. It calls `draw` with the window and a [`Brush`], and `draw` passes both to a function of
-    /// [`raster`](crate::raster). Most other methods are this one with a [`Solid`] colour.
+    /// [`raster`](crate::raster). Most other methods do the same with a
+    /// [`Solid`](crate::Solid) colour.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{raster::rectangle, Canvas, ClippedSpan, Framebuffer, Paint, Rect, Surface};
@@ -98,7 +100,7 @@ pub trait Canvas: Surface {
     /// Draws a line one pixel wide, both ends included: see [`line`](crate::raster::line) for which pixels.
     #[inline]
     fn draw_line(&mut self, a: Point, b: Point, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| line::draw(a, b, window, brush));
+        in_color(self, color, |window, brush| line::draw(a, b, window, brush));
     }
 
     /// Draws lines from each point to the next. A point where two lines meet is painted twice, and a counter of pixels counts
@@ -154,7 +156,7 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn draw_rectangle(&mut self, area: Rect, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| rectangle::outline(area, window, brush));
+        in_color(self, color, |window, brush| rectangle::outline(area, window, brush));
     }
 
     /// Fills a rectangle of pixels.
@@ -179,13 +181,13 @@ pub trait Canvas: Surface {
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
     #[inline]
     fn fill_triangle_fx(&mut self, corners: [PointFx; 3], color: Self::Color) {
-        self.paint(Solid(color), |window, brush| triangle::fill(corners, window, brush));
+        in_color(self, color, |window, brush| triangle::fill(corners, window, brush));
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).
     #[inline]
     fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| ellipse::outline(area, window, brush));
+        in_color(self, color, |window, brush| ellipse::outline(area, window, brush));
     }
 
     /// Fills the ellipse in a box of pixels, or the circle if that is a square: see [`ellipse`](crate::raster::ellipse).
@@ -206,14 +208,14 @@ pub trait Canvas: Surface {
     /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
     #[inline]
     fn fill_ellipse_fx(&mut self, ellipse: Ellipse, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| ellipse::fill(ellipse, window, brush));
+        in_color(self, color, |window, brush| ellipse::fill(ellipse, window, brush));
     }
 
     /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included. To have both in two colours, call this
     /// first and draw the outline over it.
     #[inline]
     fn fill_outlined_ellipse(&mut self, area: Rect, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| ellipse::enclosed(area, window, brush));
+        in_color(self, color, |window, brush| ellipse::enclosed(area, window, brush));
     }
 
     /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle.
@@ -231,7 +233,7 @@ pub trait Canvas: Surface {
     /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
     #[inline]
     fn draw_arc(&mut self, area: Rect, sector: Sector, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| arc::outline(area, sector, window, brush));
+        in_color(self, color, |window, brush| arc::outline(area, sector, window, brush));
     }
 
     /// Fills a sector of the ellipse in a box, a slice of a pie.
@@ -253,7 +255,7 @@ pub trait Canvas: Surface {
     /// Fills a sector of an ellipse.
     #[inline]
     fn fill_sector_fx(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| arc::fill(ellipse, sector, window, brush));
+        in_color(self, color, |window, brush| arc::fill(ellipse, sector, window, brush));
     }
 
     /// Fills a ring: the pixels of the ellipse in the box `outer` that are not pixels of the ellipse in the box `inner`.
@@ -265,7 +267,7 @@ pub trait Canvas: Surface {
     /// Fills a ring: the pixels of the ellipse `outer` that are not pixels of `inner`.
     #[inline]
     fn fill_ring_fx(&mut self, outer: Ellipse, inner: Ellipse, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| arc::ring(outer, inner, window, brush));
+        in_color(self, color, |window, brush| arc::ring(outer, inner, window, brush));
     }
 
     /// Fills the part of a ring that lies in a sector, as seen from the centre of the box `outer`.
@@ -277,13 +279,13 @@ pub trait Canvas: Surface {
     /// Fills the part of a ring that lies in a sector, as seen from the centre of `outer`.
     #[inline]
     fn fill_ring_sector_fx(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| arc::ring_sector(outer, inner, sector, window, brush));
+        in_color(self, color, |window, brush| arc::ring_sector(outer, inner, sector, window, brush));
     }
 
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.
     #[inline]
     fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| rounded::outline(area, radii, window, brush));
+        in_color(self, color, |window, brush| rounded::outline(area, radii, window, brush));
     }
 
     /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels.
@@ -298,7 +300,7 @@ pub trait Canvas: Surface {
     /// ```
     #[inline]
     fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| rounded::fill(area, radii, window, brush));
+        in_color(self, color, |window, brush| rounded::fill(area, radii, window, brush));
     }
 
     /// Fills the polygon whose corners are the centres of these pixels; its last corner is joined to the first. `table` is
@@ -315,7 +317,7 @@ pub trait Canvas: Surface {
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
         let places = corners.iter().map(|&corner| PointFx::centre_of(corner));
-        self.paint(Solid(color), |window, brush| polygon::fill([places], rule, table, window, brush))
+        in_color(self, color, |window, brush| polygon::fill([places], rule, table, window, brush))
     }
 
     /// Fills a polygon of one contour, whose last vertex is joined to the first.
@@ -330,7 +332,7 @@ pub trait Canvas: Surface {
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        self.paint(Solid(color), |window, brush| polygon::fill([contour], rule, table, window, brush))
+        in_color(self, color, |window, brush| polygon::fill([contour], rule, table, window, brush))
     }
 
     /// Fills a polygon of many contours, such as a country with islands and lakes: see [`polygon::fill`].
@@ -351,13 +353,13 @@ pub trait Canvas: Surface {
         C::Item: IntoIterator,
         <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
-        self.paint(Solid(color), |window, brush| polygon::fill(contours, rule, table, window, brush))
+        in_color(self, color, |window, brush| polygon::fill(contours, rule, table, window, brush))
     }
 
     /// Draws the outline of a path, one pixel wide: see [`outline`](crate::raster::outline) for which pixels.
     #[inline]
     fn draw_path_fx(&mut self, path: Path<'_>, color: Self::Color) {
-        self.paint(Solid(color), |window, brush| outline::draw(path, window, brush));
+        in_color(self, color, |window, brush| outline::draw(path, window, brush));
     }
 
     /// Fills a path: see [`flatten`](crate::geom::flatten) for how its curves become lines.
@@ -382,7 +384,7 @@ pub trait Canvas: Surface {
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        self.paint(Solid(color), |window, brush| polygon::fill(path.contours_in(window), rule, table, window, brush))
+        in_color(self, color, |window, brush| polygon::fill(path.contours_in(window), rule, table, window, brush))
     }
 
     /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.
@@ -424,7 +426,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        self.paint(Solid(color), |window, brush| stroke::fill(path, stroke, table, window, brush))
+        in_color(self, color, |window, brush| stroke::fill(path, stroke, table, window, brush))
     }
 
     /// Draws lines with a width from each place to the next, and back to the first one if they are `closed`.
@@ -443,7 +445,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        self.paint(Solid(color), |window, brush| stroke::fill_polyline(places, closed, stroke, table, window, brush))
+        in_color(self, color, |window, brush| stroke::fill_polyline(places, closed, stroke, table, window, brush))
     }
 
     /// Draws a line with a width: see [`stroke`](crate::raster::stroke) for which pixels.

@@ -10,10 +10,15 @@ use embedded_graphics::{
 };
 use embedded_raster::{
     eg,
-    raster::flood::{Connectivity, FloodSlot},
+    raster::{
+        ellipse,
+        flood::{Connectivity, FloodSlot},
+        line, rectangle,
+    },
     surface::{Pages, Planes, Rows},
-    Angle, Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, FillRule, Frame, Index1, Index2, Index4, Layout, Path,
-    PathSegment, PixelFormat, PointFx, Radii, Readable, Rect, Sector, Solid, Stroke, Surface,
+    Angle, Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, FillRule, Frame, Index1, Index2, Index4, Layout, Octants,
+    Paint, Path, PathSegment, PixelFormat, PointFx, Radii, Readable, Rect, Sector, Sink, Solid, Span, Steps, Stroke,
+    Surface,
 };
 use fixed::types::I24F8;
 use twins::rng::Rng;
@@ -169,4 +174,81 @@ fn a_wrapper_sees_every_change() {
     check::<embedded_graphics::pixelcolor::Rgb565, Rows<embedded_graphics::pixelcolor::Rgb565>>(951);
     check::<Index1, Pages<Index1>>(952);
     check::<Index2, Planes<Index2>>(953);
+}
+
+/// Gives what shapes say in a window of its own to the surface of a smaller one, as safe code can.
+struct Careless<'a, 'b, L: Layout>(&'a mut Frame<&'b mut [u8], L>, L::Color);
+
+impl<L: Layout> Sink for Careless<'_, '_, L> {
+    fn span(&mut self, span: ClippedSpan) {
+        let color = self.1;
+        self.0.fill_span(span, color);
+        self.0.write_span(span, |_| color);
+        self.0.write_some(span, |_| Some(color));
+        self.0.edit_span(span, |_, _| color);
+        Solid(color).span(self.0, span);
+    }
+
+    fn area(&mut self, area: Rect) {
+        self.0.fill_area(area, self.1);
+        self.0.paint(Solid(self.1), |_, mut brush| brush.area(area));
+        (area.y0..area.y1)
+            .for_each(|y| self.span(Span { y, x0: area.x0, x1: area.x1 }.clip(area).expect("a row of it")));
+    }
+
+    fn steps(&mut self, steps: Steps) {
+        self.0.fill_steps(steps, self.1);
+        self.0.paint(Solid(self.1), |_, mut brush| brush.steps(steps));
+    }
+
+    fn octants(&mut self, octants: Octants) -> bool {
+        let color = self.1;
+        self.0.fill_octants(octants, color) | self.0.paint(Solid(color), |_, mut brush| brush.octants(octants))
+    }
+}
+
+/// A shape, told to whoever is careless.
+type Shape<'s, L> = &'s dyn Fn(Careless<'_, '_, L>);
+
+fn check_careless<F: PixelFormat, L: Layout<Color = F::Color>>() {
+    let (width, height) = (40, 32);
+    let needed = L::bytes(width, embedded_raster::surface::Grid { stride: L::row_bytes(width), rows: height.into() });
+    let [paper, ink] = [0, 1].map(F::unpack);
+    let view = Rect::new(7, 5, 27, 25);
+    let anywhere = Rect::new(-100, -100, 100, 100);
+    let shapes: [Shape<'_, L>; 7] = [
+        &|mut sink| sink.span(Span { y: 0, x0: -5, x1: 90 }.clip(anywhere).expect("inside of that")),
+        &|sink| rectangle::fill(Rect::new(-50, -50, 15, 90), anywhere, sink),
+        &|sink| line::draw(Point::new(-9, -30), Point::new(35, 60), anywhere, sink),
+        &|sink| line::draw(Point::new(-60, 12), Point::new(70, 3), anywhere, sink),
+        &|sink| line::draw(Point::new(-60, 7), Point::new(70, 7), anywhere, sink),
+        &|sink| ellipse::outline(Rect::new(-4, -3, 27, 28), anywhere, sink),
+        &|sink| ellipse::fill(Ellipse::in_box(Rect::new(-4, -3, 60, 28)), anywhere, sink),
+    ];
+    for (i, shape) in shapes.iter().enumerate() {
+        let mut memory = vec![0; needed];
+        let mut frame = Frame::<_, L>::new(&mut memory[..], width, height).expect("the right size");
+        frame.fill_window(paper);
+        // Coordinates of a view begin at its corner, and those of a clip at the corner of the frame.
+        for clipped in [false, true] {
+            let mut part = if clipped { frame.clipped(view) } else { frame.view(view) };
+            shape(Careless(&mut part, ink));
+        }
+        for at in (0..32).flat_map(|y| (0..40).map(move |x| Point::new(x, y))) {
+            let changed = frame.get(at) != Some(paper);
+            assert!(!changed || view.contains(at.x, at.y), "shape {i} painted {at} outside of {view:?}");
+        }
+        let seen = (0..32).flat_map(|y| (0..40).map(move |x| Point::new(x, y))).any(|at| frame.get(at) == Some(ink));
+        assert!(seen, "shape {i} painted what lies inside");
+    }
+}
+
+#[test]
+fn nothing_outside_of_a_view_is_painted_whatever_it_is_told() {
+    check_careless::<Index1, Rows<Index1>>();
+    check_careless::<Index4, Rows<Index4>>();
+    check_careless::<embedded_graphics::pixelcolor::Rgb565, Rows<embedded_graphics::pixelcolor::Rgb565>>();
+    check_careless::<Index1, Pages<Index1>>();
+    check_careless::<Index2, Planes<Index2>>();
+    check_careless::<embedded_raster::pixel::Rgb444, embedded_raster::surface::Packed12>();
 }

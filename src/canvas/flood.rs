@@ -5,7 +5,7 @@ use embedded_graphics_core::geometry::Point;
 use crate::{
     raster::flood::{corridor, FloodTarget},
     span::{ClippedSpan, Rect},
-    surface::Readable,
+    surface::{Inside, Readable, Said},
 };
 
 /// A surface, and which of its colours are open.
@@ -34,12 +34,12 @@ impl<S: Readable, P: Fn(S::Color) -> bool> FloodTarget for Area<'_, S, P> {
 
     #[inline]
     fn paint(&mut self, span: ClippedSpan) {
-        self.surface.fill_span(span, self.color);
+        self.surface.fill_inside(Inside(Said::Span(span)), self.color);
     }
 
     #[inline]
     fn paint_pixel(&mut self, x: i32, y: i32) {
-        self.surface.fill_span(ClippedSpan::inside(y, x, x.wrapping_add(1)), self.color);
+        self.paint(ClippedSpan::inside(y, x, x.wrapping_add(1)));
     }
 
     #[inline]

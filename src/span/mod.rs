@@ -8,7 +8,8 @@
 //! - [`Octants`], the outline of a circle.
 //!
 //! A [`Span`] may lie anywhere. Clipped once against the window of a surface it becomes a [`ClippedSpan`]. Its fields cannot be
-//! set from outside of the crate, so nobody needs to check it again.
+//! set from outside of the crate, so a shape clips once. Nothing keeps a program from clipping against another rectangle and
+//! calling a surface by itself; there a frame clips again.
 
 mod octants;
 mod rect;

@@ -9,11 +9,11 @@ use super::{
     frame::Frame,
     layout::Layout,
     rows::Rows,
-    traits::{copy_by_pixels, Readable, Surface},
+    traits::{copy_by_pixels, Inside, Readable, Said, Surface},
 };
 use crate::{
     pixel::PixelFormat,
-    span::{ClippedSpan, Octants, Rect, Steps},
+    span::{ClippedSpan, Octants, Rect, Span, Steps},
     tune::COMPACT,
 };
 
@@ -28,12 +28,11 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
         Frame::window(self)
     }
 
-    // Inlined into the loops of the shapes even at their several call sites: a call would cost as much as a short span.
-    #[inline(always)]
+    #[inline]
     fn fill_span(&mut self, span: ClippedSpan, color: L::Color) {
-        let (y, columns) = (self.y(span.y()), self.columns(span));
-        let (memory, grid) = self.write();
-        L::fill_span(memory, grid, y, columns, color);
+        if let Some(span) = self.again(span) {
+            self.fill_span_inside(span, color);
+        }
     }
 
     #[inline]
@@ -46,23 +45,31 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
 
     #[inline]
     fn fill_steps(&mut self, steps: Steps, color: L::Color) {
-        if let Some(span) = steps.one_row().filter(|_| FLAT_AS_SPANS) {
-            return self.fill_span(span, color);
-        }
-        let (x, y) = steps.first();
-        let start = self.place(x, y);
-        let (memory, grid) = self.write();
-        if !L::fill_steps(memory, grid, start, steps, color) {
+        let (window, (x0, y0), (x1, y1)) = (self.window(), steps.first(), steps.last());
+        if window.contains(x0, y0) && window.contains(x1, y1) {
+            self.fill_steps_inside(steps, color);
+        } else {
             steps.spans(|span| self.fill_span(span, color));
         }
     }
 
     #[inline]
     fn fill_octants(&mut self, octants: Octants, color: L::Color) -> bool {
-        let (x, y) = octants.first();
-        let start = self.place(x, y);
-        let (memory, grid) = self.write();
-        L::fill_octants(memory, grid, start, octants, color)
+        let (window, (x, y), extent) = (self.window(), octants.first(), octants.extent());
+        window.contains(x, y)
+            && window.contains(x.wrapping_add(extent), y.wrapping_add(extent))
+            && self.fill_octants_inside(octants, color)
+    }
+
+    // Inlined into the loops of the shapes even at their several call sites: a call would cost as much as a short span.
+    #[inline(always)]
+    fn fill_inside(&mut self, what: Inside, color: L::Color) -> bool {
+        match what.0 {
+            Said::Span(span) => self.fill_span_inside(span, color),
+            Said::Steps(steps) => self.fill_steps_inside(steps, color),
+            Said::Octants(octants) => return self.fill_octants_inside(octants, color),
+        }
+        true
     }
 
     #[inline]
@@ -76,6 +83,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
 
     #[inline(always)]
     fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<L::Color>) {
+        let Some(span) = self.again(span) else { return };
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();
         L::write_span(memory, grid, y, columns, || {
@@ -117,6 +125,42 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     }
 }
 
+impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
+    /// The part of a span in this window: whoever calls may have clipped it against another one.
+    #[inline(always)]
+    fn again(&self, span: ClippedSpan) -> Option<ClippedSpan> {
+        Span { y: span.y(), x0: span.x0(), x1: span.x1() }.clip(self.window())
+    }
+
+    #[inline(always)]
+    fn fill_span_inside(&mut self, span: ClippedSpan, color: L::Color) {
+        let (y, columns) = (self.y(span.y()), self.columns(span));
+        let (memory, grid) = self.write();
+        L::fill_span(memory, grid, y, columns, color);
+    }
+
+    #[inline]
+    fn fill_steps_inside(&mut self, steps: Steps, color: L::Color) {
+        if let Some(span) = steps.one_row().filter(|_| FLAT_AS_SPANS) {
+            return self.fill_span_inside(span, color);
+        }
+        let (x, y) = steps.first();
+        let start = self.place(x, y);
+        let (memory, grid) = self.write();
+        if !L::fill_steps(memory, grid, start, steps, color) {
+            steps.spans(|span| self.fill_span_inside(span, color));
+        }
+    }
+
+    #[inline]
+    fn fill_octants_inside(&mut self, octants: Octants, color: L::Color) -> bool {
+        let (x, y) = octants.first();
+        let start = self.place(x, y);
+        let (memory, grid) = self.write();
+        L::fill_octants(memory, grid, start, octants, color)
+    }
+}
+
 impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
     #[inline(always)]
     fn color_at(&self, x: i32, y: i32) -> L::Color {
@@ -125,6 +169,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
 
     #[inline]
     fn edit_span(&mut self, span: ClippedSpan, mut edit: impl FnMut(i32, L::Color) -> L::Color) {
+        let Some(span) = self.again(span) else { return };
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();
         L::edit_span(memory, grid, y, columns, |old| {

@@ -17,6 +17,7 @@ mod planes;
 mod rows;
 mod traits;
 
+pub(crate) use self::traits::{Inside, Said};
 pub use self::{
     counter::Counter,
     frame::Frame,

@@ -44,7 +44,8 @@ pub trait Surface {
     /// The pixels that can be painted.
     fn window(&self) -> Rect;
 
-    /// Paints the pixels of a span that was clipped against [`window`](Self::window).
+    /// Paints the pixels of a span that was clipped against [`window`](Self::window). Nothing keeps a program from clipping it
+    /// against another rectangle: a [`Frame`] paints only what lies in its window.
     fn fill_span(&mut self, span: ClippedSpan, color: Self::Color);
 
     /// Paints the pixels of `area` that lie in the window.
@@ -70,6 +71,19 @@ pub trait Surface {
     fn fill_octants(&mut self, octants: Octants, color: Self::Color) -> bool {
         let _ = (octants, color);
         false
+    }
+
+    /// What a method of [`Canvas`](crate::Canvas) paints in one colour: it asked for the window just before, so nothing is clipped
+    /// again. For octants, it may answer as [`fill_octants`](Self::fill_octants) does.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn fill_inside(&mut self, what: Inside, color: Self::Color) -> bool {
+        match what.0 {
+            Said::Span(span) => self.fill_span(span, color),
+            Said::Steps(steps) => self.fill_steps(steps, color),
+            Said::Octants(octants) => return self.fill_octants(octants, color),
+        }
+        true
     }
 
     /// Paints one pixel; nothing if it lies outside.
@@ -130,6 +144,18 @@ pub trait Surface {
             self.write_some(span, |_| if is_set() { Some(on) } else { off });
         });
     }
+}
+
+/// Pixels that lie in the window of the surface that they are given to. Others cannot make one, nor name this type.
+#[derive(Debug)]
+pub struct Inside(pub(crate) Said);
+
+/// What a shape says, but for areas, which every surface clips.
+#[derive(Debug)]
+pub(crate) enum Said {
+    Span(ClippedSpan),
+    Steps(Steps),
+    Octants(Octants),
 }
 
 /// Copies the pixels of a picture that a plan names, one by one, except those of the colour `key`.
