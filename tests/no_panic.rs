@@ -16,7 +16,7 @@ use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
     image::GetPixel,
-    pixelcolor::{BinaryColor, Gray8, Rgb555, Rgb565, Rgb888, RgbColor},
+    pixelcolor::{BinaryColor, Gray2, Gray8, Rgb555, Rgb565, Rgb888, RgbColor},
     primitives::Rectangle,
     Pixel,
 };
@@ -613,6 +613,8 @@ fn palettes_and_colours() {
         palette.expand::<Index8, Rgb888>(&indices, &mut out);
         palette.map(Rgb565::from).expand::<Index8, Rgb565>(&indices, &mut out);
         palette.map(Rgb332::from).expand::<Gray8, Rgb332>(&indices, &mut out);
+        palette.map(Gray2::from).expand::<Index8, Gray2>(&indices, &mut out);
+        palette.map(Gray2::from).expand::<Index2, Lsb0<Gray2>>(&indices, &mut out);
         palette.map(Xrgb8888::from).expand::<Index4, Xrgb8888>(&indices, &mut out);
     }
 }

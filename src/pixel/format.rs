@@ -82,8 +82,24 @@ impl<C: PixelColor + PixelFormat<Color = C>> PixelFormat for Lsb0<C> {
 }
 
 /// Bytes of a row of `width` pixels: rows start on a byte boundary.
+///
+/// Stops at `usize::MAX`, which only a `usize` of 16 bits is too small for.
 pub const fn row_bytes<F: PixelFormat>(width: u16) -> usize {
-    (width as usize).saturating_mul(F::BITS as usize).div_ceil(8)
+    size(bytes_of_bits(width, F::BITS), usize::MAX)
+}
+
+/// Bytes of so many pixels of 1 to 32 bits, in 32 bits: saturating in bits, and dividing then, would be too few in 16.
+const fn bytes_of_bits(pixels: u16, bits: u32) -> u32 {
+    (pixels as u32 * bits).div_ceil(8)
+}
+
+/// A number of bytes as a size in memory, up to the largest one there is.
+const fn size(bytes: u32, largest: usize) -> usize {
+    if bytes as u64 > largest as u64 {
+        largest
+    } else {
+        bytes as usize
+    }
 }
 
 /// Bytes of a framebuffer of `width` x `height` pixels without gaps between the rows, to size an array with.
@@ -116,4 +132,20 @@ pub(crate) const fn bytes_per_pixel<F: PixelFormat>() -> usize {
 pub(super) fn has_unused_bits<F: PixelFormat>() -> bool {
     let all = u32::MAX >> (32 - F::BITS);
     F::pack(F::unpack(all)) != all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_every_width_have_their_bytes_or_more_than_any_memory() {
+        for (width, bits) in (0..=u16::MAX).flat_map(|width| [1, 2, 4, 8, 16, 24, 32].map(|bits| (width, bits))) {
+            let wanted = (u64::from(width) * u64::from(bits)).div_ceil(8);
+            let bytes = bytes_of_bits(width, bits);
+            assert_eq!(u64::from(bytes), wanted, "{width} pixels of {bits} bits");
+            assert_eq!(size(bytes, usize::MAX) as u64, wanted, "in a large memory");
+            assert_eq!(size(bytes, 0xffff) as u64, wanted.min(0xffff), "with a `usize` of 16 bits");
+        }
+    }
 }

@@ -107,7 +107,8 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
             }),
             32 => expand::<I, 4>(indices, out, |index| color(index).to_le_bytes()),
             _ => {
-                let pixels = (indices.len() * 8 / I::BITS as usize).min(out.len() * 8 / O::BITS as usize);
+                let pixels = |bytes: usize, bits: u32| bytes.saturating_mul((8 / bits) as usize);
+                let pixels = pixels(indices.len(), I::BITS).min(pixels(out.len(), O::BITS));
                 for x in 0..pixels {
                     let index = low_u8(rows::get::<I>(indices, 0, x));
                     rows::set::<O>(out, 0, x, color(index));

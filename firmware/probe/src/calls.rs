@@ -340,6 +340,11 @@ pub unsafe extern "C" fn expand8(p: &Palette<Rgb565, 256>, from: *const u8, n: u
 }
 
 #[no_mangle]
+pub unsafe extern "C" fn expand2(p: &Palette<Gray2, 256>, from: *const u8, n: usize, to: *mut u8, len: usize) {
+    p.expand::<Index8, Gray2>(slice::from_raw_parts(from, n), slice::from_raw_parts_mut(to, len));
+}
+
+#[no_mangle]
 pub unsafe extern "C" fn expand1(p: &Palette<Rgb888, 2>, from: *const u8, n: usize, to: *mut u8, len: usize) {
     p.expand::<Index1, Rgb888>(slice::from_raw_parts(from, n), slice::from_raw_parts_mut(to, len));
 }

@@ -4,7 +4,7 @@ use core::{convert::Infallible, slice};
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
-    pixelcolor::{BinaryColor, Rgb565, Rgb888},
+    pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888, RgbColor},
     prelude::DrawTarget,
     primitives::Rectangle,
 };
@@ -241,6 +241,7 @@ pub unsafe extern "C" fn expand(a: &Arguments, small: &Palette<Rgb565, 16>, larg
     let (from, to) = (slice::from_raw_parts(a.source, a.source_len), slice::from_raw_parts_mut(a.bytes, a.len));
     small.expand::<Index4, Be<Rgb565>>(from, to);
     large.expand::<Index8, Rgb565>(from, to);
+    large.map(|color| Gray2::new(color.r())).expand::<Index8, Gray2>(from, to);
 }
 
 #[no_mangle]
