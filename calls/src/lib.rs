@@ -1,0 +1,296 @@
+//! The list of everything that draws.
+//!
+//! Whoever has to call all of it takes it from here: the proofs that no call can panic, on computers and on chips, the tests with
+//! wild arguments, and the fuzz target that compares sequences of calls. A test in `tests/calls.rs` reads the sources of the crate,
+//! and fails when a method of `Canvas`, `Surface` or `Readable`, or a function of `raster` or `eg`, is missing here.
+#![no_std]
+
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{OriginDimensions, Point},
+    primitives::Rectangle,
+    Pixel,
+};
+use embedded_raster::{
+    eg,
+    pixel::Lsb0,
+    raster::{
+        flood::{Connectivity, FloodSlot},
+        triangle,
+    },
+    surface::Rows,
+    Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, PointFx, Radii, Readable, Rect,
+    Sector, Sink, Solid, Span, Stroke, Surface,
+};
+use fixed::types::I24F8;
+
+/// What calls are made with: each takes what it wants.
+pub struct Arguments<'a, L: Layout> {
+    /// Corners, and places of whole pixels: seeds, ends.
+    pub points: [Point; 3],
+    /// Corners and control points.
+    pub places: [PointFx; 4],
+    /// Boxes, the second one for holes.
+    pub areas: [Rect; 2],
+    /// Ellipses, the second one for holes.
+    pub ellipses: [Ellipse; 2],
+    /// Of points.
+    pub size: I24F8,
+    /// Of rounded rectangles.
+    pub radii: Radii,
+    /// Of arcs.
+    pub sector: Sector,
+    /// Corners of a polygon in pixels.
+    pub corners: &'a [Point],
+    /// Corners of a polygon in places.
+    pub contour: &'a [PointFx],
+    /// Of a path.
+    pub segments: &'a [PathSegment],
+    /// Of a line with a width.
+    pub stroke: Stroke,
+    /// Lengths of dashes.
+    pub dashes: &'a [I24F8],
+    /// Where they begin.
+    pub phase: I24F8,
+    /// Even-odd, closed, through corners, opaque.
+    pub flag: bool,
+    /// Scratch memory of polygons.
+    pub table: &'a mut [EdgeSlot],
+    /// Scratch memory of floods.
+    pub slots: &'a mut [FloodSlot],
+    /// The colour, and a second one: of a boundary, of a key, of what is not set in a mask.
+    pub colors: [L::Color; 2],
+    /// To copy.
+    pub picture: Frame<&'a [u8], L>,
+    /// To paint through.
+    pub mask: Frame<&'a [u8], Rows<Lsb0<Index1>>>,
+}
+
+/// Calls by name; each makes a constant list and a `match`, so none can be in one and not in the other.
+macro_rules! calls {
+    ($on:ident, $a:ident, $c:ident, $window:ident; $($name:ident => $call:expr;)*) => {
+        /// The names of the calls.
+        pub const NAMES: &[&str] = &[$(stringify!($name)),*];
+
+        #[allow(non_camel_case_types, reason = "named as what they call")]
+        #[derive(Clone, Copy, PartialEq, Eq)]
+        enum Name { $($name),* }
+
+        const ALL: &[Name] = &[$(Name::$name),*];
+
+        /// Makes the call of a number below that of [`NAMES`], on a surface with colours as its picture has them. Says what a call
+        /// answered: slots, columns, or whether it failed, as a number.
+        pub fn call<S, L>($on: &mut S, $a: &mut Arguments<'_, L>, number: usize) -> usize
+        where
+            S: Readable<Color = L::Color>,
+            L: Layout,
+        {
+            let Some(name) = ALL.get(number) else { return 0 };
+            let ($c, $window) = ($a.colors[0], $on.window());
+            match name {
+                $(Name::$name => $call.answer(),)*
+            }
+        }
+    };
+}
+
+calls! { on, a, c, window;
+    // Canvas
+    paint => on.paint(Solid(c), |window, brush| triangle::fill(a.corners_fx(), window, brush));
+    fill_window => on.fill_window(c);
+    draw_point => on.draw_point(a.points[0], c);
+    draw_point_fx => on.draw_point_fx(a.places[0], c);
+    draw_line => on.draw_line(a.points[0], a.points[1], c);
+    draw_polyline => on.draw_polyline(a.corners.iter().copied(), c);
+    draw_polygon => on.draw_polygon(a.corners.iter().copied(), c);
+    draw_triangle => on.draw_triangle(a.points, c);
+    draw_rectangle => on.draw_rectangle(a.areas[0], c);
+    fill_rectangle => on.fill_rectangle(a.areas[0], c);
+    fill_rectangle_fx => on.fill_rectangle_fx(a.places[0], a.places[1], c);
+    fill_triangle => on.fill_triangle(a.points, c);
+    fill_triangle_fx => on.fill_triangle_fx(a.corners_fx(), c);
+    draw_ellipse => on.draw_ellipse(a.areas[0], c);
+    fill_ellipse => on.fill_ellipse(a.areas[0], c);
+    fill_ellipse_fx => on.fill_ellipse_fx(a.ellipses[0], c);
+    fill_outlined_ellipse => on.fill_outlined_ellipse(a.areas[0], c);
+    fill_round_point_fx => on.fill_round_point_fx(a.places[0], a.size, c);
+    fill_square_point_fx => on.fill_square_point_fx(a.places[0], a.size, c);
+    draw_arc => on.draw_arc(a.areas[0], a.sector, c);
+    fill_sector => on.fill_sector(a.areas[0], a.sector, c);
+    fill_sector_fx => on.fill_sector_fx(a.ellipses[0], a.sector, c);
+    fill_ring => on.fill_ring(a.areas[0], a.areas[1], c);
+    fill_ring_fx => on.fill_ring_fx(a.ellipses[0], a.ellipses[1], c);
+    fill_ring_sector => on.fill_ring_sector(a.areas[0], a.areas[1], a.sector, c);
+    fill_ring_sector_fx => on.fill_ring_sector_fx(a.ellipses[0], a.ellipses[1], a.sector, c);
+    draw_rounded => on.draw_rounded(a.areas[0], a.radii, c);
+    fill_rounded => on.fill_rounded(a.areas[0], a.radii, c);
+    fill_polygon => on.fill_polygon(a.corners, a.rule(), a.table, c);
+    fill_polygon_fx => on.fill_polygon_fx(a.contour, a.rule(), a.table, c);
+    fill_contours_fx => on.fill_contours_fx([a.contour, &a.places], a.rule(), a.table, c);
+    draw_path_fx => on.draw_path_fx(Path::new(a.segments), c);
+    fill_path_fx => on.fill_path_fx(Path::new(a.segments), a.rule(), a.table, c);
+    draw_quadratic_fx => on.draw_quadratic_fx(a.corners_fx(), c);
+    draw_cubic_fx => on.draw_cubic_fx(a.places, c);
+    stroke_path_fx => on.stroke_path_fx(Path::new(a.segments), &a.stroke.dashed(a.dashes, a.phase), a.table, c);
+    stroke_polyline_fx => on.stroke_polyline_fx(a.contour, a.flag, &a.stroke, a.table, c);
+    stroke_line_fx => on.stroke_line_fx([a.places[0], a.places[1]], &a.stroke, a.table, c);
+    blit => on.blit(a.points[0], &a.picture);
+    blit_keyed => on.blit_keyed(a.points[0], &a.picture, a.colors[1]);
+    blit_mask => on.blit_mask(a.points[0], &a.mask, c, a.flag.then_some(a.colors[1]));
+    move_area => on.move_area(a.areas[0], a.points[0]);
+    move_area_keyed => on.move_area_keyed(a.areas[0], a.points[0], a.colors[1]);
+    flood_fill => on.flood_fill(a.points[0], a.connectivity(), a.slots, c);
+    flood_fill_to => on.flood_fill_to(a.points[0], a.colors[1], a.connectivity(), a.slots, c);
+    // Surface
+    fill_span => a.span().clip(window).map(|span| on.fill_span(span, c));
+    fill_area => on.fill_area(a.areas[0], c);
+    fill_steps => embedded_raster::raster::line::clip(a.points[0], a.points[1], window).map(|steps| on.fill_steps(steps, c));
+    fill_octants => octants(a.areas[0], window).is_some_and(|octants| on.fill_octants(octants, c));
+    set => on.set(a.points[0], c);
+    write_span => a.span().clip(window).map(|span| on.write_span(span, |x| a.alternate(x)));
+    write_some => a.span().clip(window).map(|span| on.write_some(span, |x| (x & 4 == 0).then(|| a.alternate(x))));
+    copy_picture => on.copy_picture(a.points[0], &a.picture, Some(a.colors[1]));
+    copy_mask => on.copy_mask(a.points[0], &a.mask, c, None);
+    // Readable
+    color_at => (!window.is_empty() && on.color_at(window.x0, window.y0) == c);
+    get => on.get(a.points[0]) == Some(c);
+    read_span => a.span().clip(window).map_or(0, |span| {
+        let mut same = 0_usize;
+        on.read_span(span, |color| same = same.wrapping_add(usize::from(color == c)));
+        same
+    });
+    edit_span => a.span().clip(window).map(|span| on.edit_span(span, |x, old| if old == c { a.alternate(x) } else { old }));
+    find => a.span().clip(window).map_or(0, |span| on.find(span, |color| color == c).wrapping_sub(span.x0()) as usize);
+    find_start => a.span().clip(window).map_or(0, |span| span.x1().wrapping_sub(on.find_start(span, |color| color == c)) as usize);
+    fill_corridor => on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
+    copy_area => on.copy_area(a.areas[0], a.points[0], None);
+    // Functions of raster that no method of Canvas calls
+    walk => on.paint(Solid(c), |window, brush| triangle::walk(a.corners_fx(), window, brush));
+    // eg
+    target => eg::target(on).fill_contiguous(&a.rectangle(), core::iter::repeat(c)).is_err();
+    draw_on => {
+        // Its own window is a foreign one here: pixels go the long way through a `DrawTarget`, and back.
+        let (corners, area) = (a.corners_fx(), a.areas[0]);
+        eg::draw_on(&mut Foreign(on), |canvas| {
+            canvas.fill_triangle_fx(corners, c);
+            canvas.draw_rectangle(area, c);
+            canvas.draw_line(a.points[0], a.points[1], c);
+        }).is_err()
+    };
+    recolored => {
+        let (rectangle, [first, second]) = (a.rectangle(), a.colors);
+        let mut target = eg::target(on);
+        let mut target = eg::recolored(&mut target, |flag: embedded_graphics_core::pixelcolor::BinaryColor| {
+            if flag.is_on() { first } else { second }
+        });
+        target.fill_solid(&rectangle, embedded_graphics_core::pixelcolor::BinaryColor::On).is_err()
+    };
+}
+
+impl<L: Layout> Arguments<'_, L> {
+    fn corners_fx(&self) -> [PointFx; 3] {
+        let [a, b, c, _] = self.places;
+        [a, b, c]
+    }
+
+    fn rule(&self) -> FillRule {
+        if self.flag {
+            FillRule::EvenOdd
+        } else {
+            FillRule::NonZero
+        }
+    }
+
+    fn connectivity(&self) -> Connectivity {
+        if self.flag {
+            Connectivity::Corners
+        } else {
+            Connectivity::Sides
+        }
+    }
+
+    fn span(&self) -> Span {
+        let Rect { x0, y0, x1, .. } = self.areas[0];
+        Span { y: y0, x0, x1 }
+    }
+
+    /// The first box as embedded-graphics has it.
+    fn rectangle(&self) -> Rectangle {
+        Rectangle::from(self.areas[0])
+    }
+
+    fn alternate(&self, x: i32) -> L::Color {
+        self.colors[usize::from(x & 1 != 0)]
+    }
+}
+
+/// The circle in a box, if it lies in the window as a whole: what its outline says.
+fn octants(area: Rect, window: Rect) -> Option<embedded_raster::Octants> {
+    struct Catch(Option<embedded_raster::Octants>);
+    impl Sink for &mut Catch {
+        fn span(&mut self, _: embedded_raster::ClippedSpan) {}
+        fn octants(&mut self, octants: embedded_raster::Octants) -> bool {
+            self.0 = Some(octants);
+            true
+        }
+    }
+    let mut catch = Catch(None);
+    embedded_raster::raster::ellipse::outline(area, window, &mut catch);
+    catch.0
+}
+
+/// A surface seen as a display driver of somebody else: pixel by pixel.
+struct Foreign<'a, S>(&'a mut S);
+
+impl<S: Surface> OriginDimensions for Foreign<'_, S> {
+    fn size(&self) -> embedded_graphics_core::geometry::Size {
+        let window = self.0.window();
+        let side = |n: i32| u32::try_from(n).unwrap_or(0);
+        embedded_graphics_core::geometry::Size::new(side(window.x1), side(window.y1))
+    }
+}
+
+impl<S: Surface> DrawTarget for Foreign<'_, S> {
+    type Color = S::Color;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<S::Color>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        pixels.into_iter().for_each(|Pixel(at, color)| self.0.set(at, color));
+        Ok(())
+    }
+}
+
+/// What a call says, as a number.
+trait Answer {
+    fn answer(self) -> usize;
+}
+
+impl Answer for () {
+    fn answer(self) -> usize {
+        0
+    }
+}
+
+impl Answer for usize {
+    fn answer(self) -> usize {
+        self
+    }
+}
+
+impl Answer for bool {
+    fn answer(self) -> usize {
+        self.into()
+    }
+}
+
+impl<T> Answer for Option<T> {
+    fn answer(self) -> usize {
+        self.is_some().into()
+    }
+}
+
+impl<T, E> Answer for Result<T, E> {
+    fn answer(self) -> usize {
+        self.is_err().into()
+    }
+}
