@@ -19,7 +19,7 @@ use embedded_graphics_core::{
 
 use crate::{
     span::{ClippedSpan, Rect, Span},
-    surface::{Frame, Layout, Surface},
+    surface::{Frame, Inside, Layout, Said, Surface},
 };
 
 impl<M, L: Layout> OriginDimensions for Frame<M, L>
@@ -131,7 +131,9 @@ impl<S: Surface> DrawTarget for SurfaceTarget<'_, S> {
 fn write_rows<S: Surface>(surface: &mut S, area: &Rectangle, colors: impl IntoIterator<Item = S::Color>) {
     let mut colors = colors.into_iter().fuse();
     let window = surface.window();
-    for_each_row(area, window, &mut colors, |span, colors| surface.write_some(span, |_| colors.next()));
+    for_each_row(area, window, &mut colors, |span, colors| {
+        surface.write_inside(Inside(Said::Span(span)), |_| colors.next());
+    });
 }
 
 /// Splits colours that fill `area` row by row into the spans that lie in `window`, skipping what does not.

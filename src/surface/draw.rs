@@ -82,8 +82,15 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     }
 
     #[inline(always)]
-    fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<L::Color>) {
-        let Some(span) = self.again(span) else { return };
+    fn write_some(&mut self, span: ClippedSpan, color_at: impl FnMut(i32) -> Option<L::Color>) {
+        if let Some(span) = self.again(span) {
+            self.write_inside(Inside(Said::Span(span)), color_at);
+        }
+    }
+
+    #[inline(always)]
+    fn write_inside(&mut self, what: Inside, mut color_at: impl FnMut(i32) -> Option<L::Color>) {
+        let Said::Span(span) = what.0 else { return };
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();
         L::write_span(memory, grid, y, columns, || {

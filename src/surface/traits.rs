@@ -116,6 +116,18 @@ pub trait Surface {
         }
     }
 
+    /// [`write_some`](Self::write_some) where this crate clipped the span just before: see [`fill_inside`](Self::fill_inside).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_inside(&mut self, what: Inside, color_at: impl FnMut(i32) -> Option<Self::Color>)
+    where
+        Self: Sized,
+    {
+        if let Said::Span(span) = what.0 {
+            self.write_some(span, color_at);
+        }
+    }
+
     /// Copies a picture so that its top left pixel falls on `at`, all but the pixels of the colour `key`. What lies outside
     /// is clipped. The picture may have any layout, with colours of the same type.
     fn copy_picture<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Option<Self::Color>)
@@ -141,7 +153,7 @@ pub trait Surface {
         plan.each_row(|span, (from_x, from_y)| {
             let mut bits = mask.bits(from_x, from_y);
             let mut is_set = one_by_one(|| bits.next());
-            self.write_some(span, |_| if is_set() { Some(on) } else { off });
+            self.write_inside(Inside(Said::Span(span)), |_| if is_set() { Some(on) } else { off });
         });
     }
 }
@@ -167,7 +179,7 @@ where
     L: Layout<Color = S::Color>,
 {
     plan.each_row(|span, (from_x, from_y)| {
-        to.write_some(span, |x| {
+        to.write_inside(Inside(Said::Span(span)), |x| {
             let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
             Some(color).filter(|_| key != Some(color))
         });
