@@ -84,7 +84,7 @@ pub enum TriangulateError {
     SideTableFull {
         /// Slots of the table, 65,535 of them at most.
         capacity: usize,
-        /// Slots that are enough.
+        /// Slots that are enough. If it is above 65,535, no table is; then sides that touch may need more still.
         needed: usize,
     },
     /// A table that holds one slot for each triangle is too small.

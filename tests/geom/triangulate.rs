@@ -419,3 +419,32 @@ fn countries_on_screens() {
     }
     assert_eq!(refused, [320, 1001, 160].map(|width| (width, "Sudan")), "countries whose sides cross");
 }
+
+/// A polygon that no table can hold is refused before sides are compared: 2,000,000,000,000 pairs here.
+#[test]
+fn what_no_table_can_hold_is_refused_at_once() {
+    let places: Vec<PointFx> = (0..2_000_000).map(|i| PointFx::from_bits(i, i % 7 * 1_000)).collect();
+    let result = triangulate::each(&places, &[], &mut [SideSlot::EMPTY; 10], |_| {});
+    assert_eq!(result, Err(TriangulateError::SideTableFull { capacity: 10, needed: 2_000_000 }));
+}
+
+/// Vertices on one straight line: nearly each lies on nearly every side. Work is quadratic; cubic work would take minutes.
+#[test]
+fn a_zigzag_on_a_line_is_counted_in_quadratic_time() {
+    let zigzag = |n: i32| -> Vec<PointFx> {
+        (0..n).map(|i| PointFx::from_bits(if i % 2 == 0 { i } else { 9_000 + i }, 0)).collect()
+    };
+    let places = zigzag(6_000);
+    let result = triangulate::each(&places, &[], &mut [SideSlot::EMPTY; 10], |_| {});
+    // By the rule, for a smaller one: each vertex with each side.
+    let needed = |places: &[PointFx]| {
+        let n = places.len();
+        let x = |i: usize| places[i % n].x.to_bits();
+        let between = |i: usize, p: i32| x(i).min(x(i + 1)) < p && p < x(i).max(x(i + 1));
+        n + (0..n).map(|i| (0..n).filter(|&v| between(i, x(v))).count()).sum::<usize>()
+    };
+    assert_eq!(result, Err(TriangulateError::SideTableFull { capacity: 10, needed: needed(&places) }));
+    let small = zigzag(40);
+    let result = triangulate::each(&small, &[], &mut [SideSlot::EMPTY; 10], |_| {});
+    assert_eq!(result, Err(TriangulateError::SideTableFull { capacity: 10, needed: needed(&small) }));
+}

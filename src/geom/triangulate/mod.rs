@@ -143,10 +143,15 @@ pub fn to_vec<const N: usize>(
 
 /// What can go wrong with a polygon that has so many `further` contours, in tables of so many slots.
 fn check(sides: Sides<'_>, further: usize, slots: usize, triangles: usize) -> Result<(), TriangulateError> {
+    // Sides that touch need more, but this is more than any table holds already: no need to compare each side with each.
+    let least = sides.count().saturating_add(further.saturating_mul(2));
+    if least > LIMIT {
+        return Err(TriangulateError::SideTableFull { capacity: slots.min(LIMIT), needed: least });
+    }
     if let Some((first, second)) = sides.crossing() {
         return Err(TriangulateError::SidesCross { first, second });
     }
-    let needed = sides.count().saturating_add(further.saturating_mul(2)).saturating_add(sides.touches());
+    let needed = least.saturating_add(sides.touches());
     let capacity = slots.min(LIMIT);
     if needed > capacity {
         return Err(TriangulateError::SideTableFull { capacity, needed });

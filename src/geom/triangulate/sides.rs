@@ -84,12 +84,15 @@ impl<'a> Sides<'a> {
     }
 
     /// How often a vertex lies on a side between the ends of it. Vertices at the same place count once for a side.
-    pub(super) fn touches(mut self) -> usize {
+    ///
+    /// Each vertex is looked for among those before it once, not once for each side: in a zigzag on one straight line nearly every
+    /// vertex lies on nearly every side.
+    pub(super) fn touches(self) -> usize {
         let mut count = 0_usize;
-        while let Some((from, to)) = self.next() {
-            let (a, b) = (self.place(from), self.place(to));
-            for vertex in 0..self.vertices.len() {
-                if is_between(a, b, self.place(vertex)) && self.first_at(vertex) == vertex {
+        for vertex in (0..self.vertices.len()).filter(|&vertex| self.first_at(vertex) == vertex) {
+            let (place, mut sides) = (self.place(vertex), self);
+            while let Some((from, to)) = sides.next() {
+                if is_between(self.place(from), self.place(to), place) {
                     count = count.saturating_add(1);
                 }
             }
