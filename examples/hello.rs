@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     frame.draw_line(Point::new(-9, 47), Point::new(70, 0), Index4::new(12));
 
     let picture = Picture::indexed(&frame, &EGA);
-    print!("{}", picture.preview(64));
+    picture.show(64);
     picture.write_png("hello.png")?;
     Ok(())
 }

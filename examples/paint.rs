@@ -47,8 +47,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let script = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
     let summary = replay(&script, &mut paint).map_err(|error| format!("{path}: {error}"))?;
     let picture = paint.picture();
-    picture.write_png(&options.output).map_err(|error| format!("{}: {error}", options.output))?;
-    print!("{}", picture.preview(100));
+    picture.write_png(&options.output)?;
+    picture.show(100);
     report(&paint, &summary, &options.output);
     Ok(())
 }

@@ -18,11 +18,12 @@ use embedded_raster_simulator::{
 
 const USAGE: &str = "\
 usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectangular|robinson|miller]
-                 [--band ROWS] [--input FILE] [--window]
+                 [--band ROWS] [--input FILE] [--output FILE.png] [--window]
 
---band ROWS    draws the screen in bands of that many rows: the same picture with less memory
---input FILE   another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
---window       shows it: D depth, P projection, L layer, C cycles the palette, Esc quits";
+--band ROWS        draws the screen in bands of that many rows: the same picture with less memory
+--input FILE       another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
+--output FILE.png  where the picture goes; world_map.png unless told
+--window           shows it: D depth, P projection, L layer, C cycles the palette, Esc quits";
 
 /// Edges of the scratch table, at 32 bytes each. No row crosses more than 24 of one country and 80 of all together; where a
 /// whole shape has more, the filler works on fewer rows at a time.
@@ -54,8 +55,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     let world = World::new(&map, options.screen);
     let drawing = draw(&world, &options, 0)?;
-    drawing.picture.write_png("world_map.png")?;
-    print!("{}", drawing.picture.preview(100));
+    drawing.picture.write_png(&options.output)?;
+    drawing.picture.show(100);
     report(&map, &world, &options, &drawing)
 }
 
@@ -113,9 +114,11 @@ fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Res
     let land: u64 = areas.iter().sum();
     let vertices: usize = map.countries.iter().flat_map(|country| &country.rings).map(Vec::len).sum();
     let what = if options.band.is_some() { "band" } else { "framebuffer" };
-    println!("world_map.png: {width} x {height} at {} bits per pixel, {} projection", options.bits, projection.name());
+    let bits = counted(options.bits as usize, "bit", "bits");
+    println!("{}: {width} x {height} at {bits} per pixel, {} projection", options.output, projection.name());
     println!("RAM: {} bytes of {what}, {} of edge table", drawing.memory, size_of_val(&table));
-    println!("drawn: {} countries, {vertices} vertices, {} pixels written", areas.len(), drawing.pixels);
+    let countries = counted(areas.len(), "country", "countries");
+    println!("drawn: {countries}, {}, {} pixels written", counted(vertices, "vertex", "vertices"), drawing.pixels);
     println!("covered: {land} pixels of land, {} of sea", globe.saturating_sub(land));
     let mut sizes: Vec<_> = areas.iter().zip(map.countries.iter().map(|country| &country.name)).collect();
     sizes.sort_unstable_by_key(|&(&area, name)| (Reverse(area), name));
@@ -125,6 +128,10 @@ fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Res
     println!("smallest: {}", listed(seen.iter().rev().take(3).map(sized)));
     println!("without a pixel: {}", listed(unseen.iter().map(|&(_, name)| name.clone())));
     Ok(())
+}
+
+fn counted(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }
 
 fn listed(names: impl Iterator<Item = String>) -> String {
@@ -139,7 +146,7 @@ fn listed(names: impl Iterator<Item = String>) -> String {
 fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
     let (mut turns, mut ticks, mut is_cycling) = (0, 0_u32, false);
     let first = shoot(map, &options, turns)?;
-    show("world map", first, |keys| {
+    show::<Box<dyn Error>>("world map", first, |keys| {
         let mut is_new = false;
         for key in keys {
             match key {
@@ -158,12 +165,14 @@ fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
         }
         is_new.then(|| shoot(map, &options, turns)).transpose()
     })
+    .map_err(|error| format!("{error} (a window needs a display; without --window, a file is written)").into())
 }
 
 /// What the window shows, and what its title says of it.
 fn shoot(map: &Map, options: &Options, turns: usize) -> Result<Shot, Box<dyn Error>> {
     let Drawing { picture, memory: ram, pixels: drawn } = draw(&World::new(map, options.screen), options, turns)?;
-    let caption = format!("{} bits, {}, {}", options.bits, options.screen.projection.name(), options.layer.name());
+    let bits = counted(options.bits as usize, "bit", "bits");
+    let caption = format!("{bits}, {}, {}", options.screen.projection.name(), options.layer.name());
     Ok(Shot { picture, caption, ram, drawn })
 }
 
@@ -179,6 +188,7 @@ struct Options {
     layer: Layer,
     band: Option<u16>,
     input: Option<String>,
+    output: String,
     window: bool,
 }
 
@@ -187,7 +197,9 @@ impl Options {
     fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
         use lexopt::prelude::*;
         let screen = Screen { projection: Projection::default(), width: 320, height: 240 };
-        let mut options = Self { bits: 4, screen, layer: Layer::Countries, band: None, input: None, window: false };
+        let output = "world_map.png".into();
+        let mut options =
+            Self { bits: 4, screen, layer: Layer::Countries, band: None, input: None, output, window: false };
         let mut arguments = lexopt::Parser::from_env();
         while let Some(argument) = arguments.next()? {
             match argument {
@@ -198,6 +210,7 @@ impl Options {
                 Long("projection") => options.screen.projection = arguments.value()?.parse_with(parse_projection)?,
                 Long("band") => options.band = Some(arguments.value()?.parse_with(parse_rows)?),
                 Long("input") => options.input = Some(arguments.value()?.string()?),
+                Long("output") => options.output = arguments.value()?.string()?,
                 Long("window") => options.window = true,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
@@ -214,7 +227,9 @@ fn parse_bits(text: &str) -> Result<u32, &'static str> {
 
 fn parse_size(text: &str) -> Result<(u16, u16), &'static str> {
     let size = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
-    size.filter(|&(w, h)| w > 0 && h > 0).ok_or("WIDTHxHEIGHT, from 1x1 to 65535x65535")
+    // Every depth draws as many in some hundred megabytes.
+    let fits = |&(w, h): &(u16, u16)| w > 0 && h > 0 && u32::from(w) * u32::from(h) <= 1 << 25;
+    size.filter(fits).ok_or("WIDTHxHEIGHT, each from 1 to 65535, together at most 33554432 pixels")
 }
 
 fn parse_rows(text: &str) -> Result<u16, &'static str> {

@@ -32,6 +32,11 @@ pub use raster::{
 pub use span::{ClippedSpan, Octants, Rect, Sink, Span, Steps};
 pub use surface::{Bitmap, Frame, Framebuffer, Layout, Readable, Surface};
 
+/// The crate whose points, sizes, rectangles and colours this one speaks, in the version that it speaks.
+pub use embedded_graphics_core;
+/// The crate whose `I24F8` are places and widths, in the version that fits: a program that takes it from here need not name one.
+pub use fixed;
+
 /// The program in the README is tested too.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -16,9 +16,10 @@ use embedded_raster_simulator::Picture;
 use page::{Ink, EDGES, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
-usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS]
+usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS] [--output FILE.png]
 
---band ROWS  draws in bands of that many rows: the same pixels with less memory, but for what reads the page (flood fills)";
+--output FILE.png  where the picture goes; shapes.png unless told
+--band ROWS        draws in bands of that many rows: the same pixels with less memory, but for what reads the page (flood fills)";
 
 /// Paper and eight colours; 1 and 2 bits have fewer.
 const COLORS: [u32; 9] =
@@ -35,13 +36,14 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
-    let (mut bits, mut band) = (4, None);
+    let (mut bits, mut band, mut output) = (4, None, String::from("shapes.png"));
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         use lexopt::prelude::*;
         match argument {
             Long("bits") => bits = parser.value()?.parse()?,
-            Long("band") => band = Some(parser.value()?.parse_with(|rows| rows.parse().map(|n: u16| n.max(1)))?),
+            Long("band") => band = Some(parser.value()?.parse_with(parse_rows)?),
+            Long("output") => output = parser.value()?.string()?,
             Long("help") | Short('h') => {
                 println!("{USAGE}");
                 return Ok(());
@@ -59,13 +61,18 @@ fn run() -> Result<(), Box<dyn Error>> {
         32 => Picture::of(&Framebuffer::<Xrgb8888>::new(&mut drawn(band, color::<Xrgb8888>)?, WIDTH, HEIGHT)?),
         _ => return Err(format!("--bits {bits}: there are 1, 2, 4, 8, 16, 24 and 32").into()),
     };
-    picture.write_png("shapes.png")?;
-    print!("{}", picture.preview(100));
+    picture.write_png(&output)?;
+    picture.show(100);
+    let plural = if bits == 1 { "" } else { "s" };
     println!(
-        "shapes.png: {WIDTH} x {HEIGHT} at {bits} bits per pixel, {EDGES} edges of {} bytes",
+        "{output}: {WIDTH} x {HEIGHT} at {bits} bit{plural} per pixel, {EDGES} edges of {} bytes",
         size_of::<EdgeSlot>()
     );
     Ok(())
+}
+
+fn parse_rows(text: &str) -> Result<u16, &'static str> {
+    text.parse().ok().filter(|&rows| rows > 0).ok_or("rows from 1 to 65535")
 }
 
 /// The bytes of the page; drawn in bands, they are put together as a display would.

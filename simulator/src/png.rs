@@ -15,9 +15,11 @@ impl Picture {
     /// Writes a PNG file; nothing if it cannot be made.
     ///
     /// # Errors
-    /// Of the file system, and `InvalidInput` for a picture without pixels, which PNG does not have.
+    /// Of the file system, with the name of the file, and `InvalidInput` for a picture without pixels, which PNG does not have.
     pub fn write_png(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        fs::write(path, self.to_png()?)
+        let path = path.as_ref();
+        let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+        self.to_png().and_then(|bytes| fs::write(path, bytes)).map_err(named)
     }
 
     /// The bytes of a PNG file.

@@ -1,12 +1,19 @@
 //! Pictures in a terminal, two pixels to a character: the upper one in the foreground of `▀`, the lower one behind it.
 
-use std::fmt::Write;
+use std::{fmt::Write, io::IsTerminal};
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 use crate::picture::Picture;
 
 impl Picture {
+    /// Prints the [`preview`](Self::preview) if the program writes to a terminal: a pipe or a file wants no colours.
+    pub fn show(&self, columns: usize) {
+        if std::io::stdout().is_terminal() {
+            print!("{}", self.preview(columns));
+        }
+    }
+
     /// The picture for a terminal of 24-bit colours, averaged down to at most `columns` characters a line.
     pub fn preview(&self, columns: usize) -> String {
         let columns = columns.min(self.width()).max(1);

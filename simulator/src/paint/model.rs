@@ -1,6 +1,6 @@
 //! [`Paint`]: a sheet, the settings of the tools, and the sheets of before.
 
-use std::{collections::VecDeque, fmt, path::Path};
+use std::{collections::VecDeque, fmt};
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use embedded_raster::{Error, Palette};
@@ -222,7 +222,7 @@ impl Paint {
     }
 
     fn save(&self, path: &str) -> Result<(), Failure> {
-        self.picture().write_png(Path::new(path)).map_err(|error| Failure::Save(format!("{path}: {error}")))
+        self.picture().write_png(path).map_err(|error| Failure::Save(error.to_string()))
     }
 }
 
