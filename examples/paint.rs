@@ -57,7 +57,8 @@ fn report(paint: &Paint, summary: &Summary, output: &str) {
     let sheet = paint.sheet();
     let (width, height) = sheet.size;
     println!("{output}: {width} x {height} at {} bits per pixel, {} bytes of framebuffer", sheet.bits, sheet.ram.len());
-    println!("done: {} commands, {} pixels changed", summary.commands, summary.pixels);
+    let plural = if summary.commands == 1 { "" } else { "s" };
+    println!("done: {} command{plural}, {} pixels changed", summary.commands, summary.pixels);
     println!("scratch: {} slots for the largest flood fill, of {} given", summary.slots, paint.scratch().slots);
 }
 
