@@ -84,16 +84,19 @@ impl<C: PixelColor + PixelFormat<Color = C>> PixelFormat for Lsb0<C> {
 /// Bytes of a row of `width` pixels: rows start on a byte boundary.
 ///
 /// Stops at `usize::MAX`, which only a `usize` of 16 bits is too small for.
+#[inline(always)]
 pub const fn row_bytes<F: PixelFormat>(width: u16) -> usize {
     size(bytes_of_bits(width, F::BITS), usize::MAX)
 }
 
 /// Bytes of so many pixels of 1 to 32 bits, in 32 bits: saturating in bits, and dividing then, would be too few in 16.
+#[inline(always)]
 const fn bytes_of_bits(pixels: u16, bits: u32) -> u32 {
     (pixels as u32 * bits).div_ceil(8)
 }
 
 /// A number of bytes as a size in memory, up to the largest one there is.
+#[inline(always)]
 const fn size(bytes: u32, largest: usize) -> usize {
     if bytes as u64 > largest as u64 {
         largest

@@ -3,7 +3,10 @@
 
 use std::collections::HashSet;
 
-use embedded_raster::{raster::polygon, Cap, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke};
+use embedded_raster::{
+    raster::{polygon, stroke as thick},
+    Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke,
+};
 use fixed::types::I24F8;
 use twins::{
     assert_runs, collect,
@@ -349,4 +352,32 @@ fn dashes_that_end_out_of_sight() {
     let window = Rect::new(5376, 640, 5385, 654);
     let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
     assert_runs(window, &dashed_pixels(&path, pen, &pattern, window), &wanted, || "dashes".into());
+}
+
+/// A miter limit says how long tips may be. Of what is not a tip it changes nothing: not which sides, caps and dashes are looked
+/// at, and so not how many slots they take.
+#[test]
+fn a_miter_limit_widens_nothing_but_tips() {
+    let window = Rect::new(0, 0, 320, 240);
+    let stroke = |limit: i32| Stroke::px(50).with_miter_limit(I24F8::from_bits(limit));
+    let limits = [4 << 8, 16 << 8, 255 << 8, 0xffff, i32::MAX];
+    let dashes = [I24F8::from_num(6), I24F8::from_num(4)];
+    let line = [PointFx::px(-4_000, -3_000), PointFx::px(4_000, 3_000)];
+    let pieces = |limit: i32| stroke(limit).dashed(&dashes, I24F8::ZERO).of_polyline(&line, false, window).count();
+    let slots = |limit: i32| {
+        let (stroke, mut table) = (stroke(limit).dashed(&dashes, I24F8::ZERO), [EdgeSlot::EMPTY; 200]);
+        thick::fill_polyline(&line, false, &stroke, &mut table, window, |_: ClippedSpan| {})
+    };
+    for limit in limits {
+        assert_eq!(pieces(limit), pieces(256), "pieces at limit {limit}");
+        assert_eq!(slots(limit), Ok(()), "200 slots at limit {limit}");
+    }
+    // Right angles far outside: tips of less than 36 pixels, whatever the limit allows.
+    let zigzag: Vec<PointFx> = (0..10_000).map(|i| PointFx::px(500 + 20 * (i % 2), 20 * (i % 12))).collect();
+    for limit in limits {
+        assert_eq!(
+            Stroke::px(3).with_miter_limit(I24F8::from_bits(limit)).of_polyline(&zigzag, false, window).count(),
+            0
+        );
+    }
 }

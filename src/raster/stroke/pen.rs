@@ -97,6 +97,8 @@ pub struct Pen {
     /// How far from its line it may paint.
     pub(super) reach: u32,
     pub(super) view: View,
+    /// The same for what is no tip of a miter: as far as a side, a cap, or a join without a tip may paint.
+    near: View,
 }
 
 impl Pen {
@@ -107,21 +109,34 @@ impl Pen {
         let turn = TURNS.iter().find(|&&(most, _)| width <= most).map_or((0, 0), |turn| turn.1);
         // Half the width for round joins, times the root of 2 for the corners of a square cap, the limit for a miter.
         let far = if matches!(stroke.join, Join::Miter) { limit.max(384) } else { 384 };
-        let reach = low_u32(u64::from(width).wrapping_mul(u64::from(far)) >> 9).wrapping_add(2);
+        let reach = |far: u32| low_u32(u64::from(width).wrapping_mul(u64::from(far)) >> 9).wrapping_add(2);
+        let (near, reach) = (View::of(window, reach(384)), reach(far));
         let view = View::of(window, reach);
-        Self { width, cap: stroke.cap, join: stroke.join, limit: limit.wrapping_mul(limit), turn, reach, view }
+        Self { width, cap: stroke.cap, join: stroke.join, limit: limit.wrapping_mul(limit), turn, reach, view, near }
+    }
+
+    /// Whether what lies around two places, but for tips of miters, cannot be seen. The limit of miters is for tips: the view has
+    /// room for the longest one that it allows.
+    fn hides(&self, a: PointFx, b: PointFx) -> bool {
+        self.near.hides(a, b, 0)
     }
 
     #[inline(never)]
-    pub(super) fn side(&self, a: PointFx, b: PointFx, u: Direction) -> Piece {
+    pub(super) fn side(&self, a: PointFx, b: PointFx, u: Direction) -> Option<Piece> {
+        if self.hides(a, b) {
+            return None;
+        }
         let (right, left) = (u.right().offset(self.width), u.right().back().offset(self.width));
-        Piece::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4)
+        Some(Piece::new([moved(a, right), moved(b, right), moved(b, left), moved(a, left)], 4))
     }
 
     /// The cap at the end of a side with the direction u.
     #[inline(never)]
     pub(super) fn cap(&self, at: PointFx, u: Option<Direction>) -> Option<Piece> {
         let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
+        if self.cap == Cap::Butt || self.hides(at, at) {
+            return None;
+        }
         let (r, l) = (right.offset(self.width), left.offset(self.width));
         match self.cap {
             Cap::Butt => None,
@@ -131,7 +146,7 @@ impl Pen {
                 let sum = |o: (i32, i32)| (o.0.wrapping_add(ahead.0), o.1.wrapping_add(ahead.1));
                 Some(Piece::new([moved(at, r), moved(at, sum(r)), moved(at, sum(l)), moved(at, l)], 4))
             }
-            Cap::Round => Some(self.wedge(at, right, left, Join::Round)),
+            Cap::Round => self.wedge(at, right, left, Join::Round),
         }
     }
 
@@ -151,23 +166,25 @@ impl Pen {
         // On the outer side of the corner, in the order in which the piece turns left, as all pieces do.
         let (from, to) =
             if turn > 0 { (next.right().back(), last.right().back()) } else { (last.right(), next.right()) };
-        Some(self.wedge(at, from, to, if smooth { Join::Round } else { self.join }))
+        self.wedge(at, from, to, if smooth { Join::Round } else { self.join })
     }
 
     #[inline(never)]
-    fn wedge(&self, at: PointFx, from: Direction, to: Direction, join: Join) -> Piece {
-        let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));
-        match join {
-            Join::Miter => match self.tip(from, to) {
-                Some(tip) => Piece::new([at, start, moved(at, tip), end], 4),
-                None => Piece::new([at, start, end, end], 3),
-            },
-            Join::Bevel => Piece::new([at, start, end, end], 3),
-            Join::Round => {
-                let fan = Fan { centre: at, last: from, end: to, turn: self.turn, width: self.width };
-                Piece { fan: Some(fan), ..Piece::new([at, start, end, end], 3) }
-            }
+    fn wedge(&self, at: PointFx, from: Direction, to: Direction, join: Join) -> Option<Piece> {
+        let tip = if join == Join::Miter { self.tip(from, to).map(|tip| moved(at, tip)) } else { None };
+        if self.hides(at, tip.unwrap_or(at)) {
+            return None;
         }
+        let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));
+        let flat = Piece::new([at, start, end, end], 3);
+        Some(match tip {
+            Some(tip) => Piece::new([at, start, tip, end], 4),
+            None if join == Join::Round => {
+                let fan = Fan { centre: at, last: from, end: to, turn: self.turn, width: self.width };
+                Piece { fan: Some(fan), ..flat }
+            }
+            None => flat,
+        })
     }
 
     /// Where two offset borders meet, unless that is too far.

@@ -147,7 +147,7 @@ impl<E: Iterator<Item = Event>> Iterator for Pieces<E> {
                         self.first = u;
                     }
                     self.last = Some((b, u));
-                    (before, u.map(|u| pen.side(a, b, u)))
+                    (before, u.and_then(|u| pen.side(a, b, u)))
                 }
                 Event::Stop => (self.last.take().and_then(|(b, u)| pen.cap(b, u)), None),
                 Event::Close => (self.last.take().and_then(|(b, u)| pen.join(b, u, self.first, false)), None),
