@@ -53,8 +53,7 @@ use crate::{
 /// ```
 pub trait Canvas: Surface {
     /// Draws a shape in any paint. It calls `draw` with the window and a [`Brush`], and `draw` passes both to a function of
-    /// [`raster`](crate::raster). Most other methods do the same with a
-    /// [`Solid`](crate::Solid) colour.
+    /// [`raster`](crate::raster). Most other methods do the same with a [`Solid`](crate::Solid) colour.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{raster::rectangle, Canvas, ClippedSpan, Framebuffer, Paint, Rect, Surface};

@@ -17,11 +17,14 @@ use embedded_raster::{
         stroke::{Cap, Join},
     },
     surface::{Grid, Packed12, Pages, Planes, Rows},
-    Angle, ClippedSpan, EdgeSlot, Ellipse, Frame, Index1, Index2, Index4, Index8, Layout, PathSegment, PixelFormat,
-    PointFx, Radii, Readable, Rect, Sector, Stroke, Surface,
+    Angle, EdgeSlot, Ellipse, Frame, Index1, Index2, Index4, Index8, Layout, PathSegment, PixelFormat, PointFx, Radii,
+    Rect, Sector, Stroke,
 };
 use fixed::types::I24F8;
-use twins::rng::{cases, Rng};
+use twins::{
+    rng::{cases, Rng},
+    watched::Watched,
+};
 
 /// Whether the numbers are those of a small screen, or any.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -127,31 +130,6 @@ impl Borrowed {
     }
 }
 
-/// Notes which pixels are painted, and forwards spans and reading: no more than it must.
-struct Watched<'a, L: Layout> {
-    inner: Frame<&'a mut [u8], L>,
-    seen: BTreeSet<(i32, i32)>,
-}
-
-impl<L: Layout> Surface for Watched<'_, L> {
-    type Color = L::Color;
-
-    fn window(&self) -> Rect {
-        self.inner.window()
-    }
-
-    fn fill_span(&mut self, span: ClippedSpan, color: L::Color) {
-        self.seen.extend((span.x0()..span.x1()).map(|x| (x, span.y())));
-        self.inner.fill_span(span, color);
-    }
-}
-
-impl<L: Layout> Readable for Watched<'_, L> {
-    fn color_at(&self, x: i32, y: i32) -> L::Color {
-        self.inner.color_at(x, y)
-    }
-}
-
 const SCREEN: (u16, u16) = (41, 29);
 
 /// Sequences of calls on a part of a screen: directly, and through a wrapper.
@@ -183,7 +161,7 @@ fn check<F: PixelFormat, L: Layout<Color = F::Color>>(seed: u64, size: Size) {
             let answer = call(&mut frame(&mut plain[..]).clipped(window), &mut arguments, number);
             let mut arguments = borrowed.arguments::<L>(&mut again.clone(), size, colors);
             let mut screen = frame(&mut wrapped[..]);
-            let mut watched = Watched { inner: screen.clipped(window), seen: BTreeSet::new() };
+            let mut watched = Watched::new(screen.clipped(window));
             assert_eq!(call(&mut watched, &mut arguments, number), answer, "answers after {log:?} in {window:?}");
             seen.append(&mut watched.seen);
             assert!(plain == wrapped, "pixels after {log:?} in {window:?}");

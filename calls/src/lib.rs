@@ -160,8 +160,8 @@ calls! { on, a, c, window;
         same
     });
     edit_span => a.span().clip(window).map(|span| on.edit_span(span, |x, old| if old == c { a.alternate(x) } else { old }));
-    find => a.span().clip(window).map_or(0, |span| on.find(span, |color| color == c).wrapping_sub(span.x0()) as usize);
-    find_start => a.span().clip(window).map_or(0, |span| span.x1().wrapping_sub(on.find_start(span, |color| color == c)) as usize);
+    find => a.span().clip(window).map_or(0, |span| on.find(span, |color| color == c));
+    find_start => a.span().clip(window).map_or(0, |span| on.find_start(span, |color| color == c));
     fill_corridor => on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
     copy_area => on.copy_area(a.areas[0], a.points[0], None);
     // Functions of raster that no method of Canvas calls
@@ -274,6 +274,12 @@ impl Answer for () {
 impl Answer for usize {
     fn answer(self) -> usize {
         self
+    }
+}
+
+impl Answer for i32 {
+    fn answer(self) -> usize {
+        self.unsigned_abs() as usize
     }
 }
 

@@ -10,11 +10,11 @@
 //! The numbers are those of the series, changed a little: they are the polynomials through five zeros of a Chebyshev
 //! polynomial, which spreads the error of leaving the rest of the series away evenly.
 //!
-//! **No direction turns back.** One unit of angle moves the tip of a vector of length `2^30` by 2 pi / 4 = 1.57 units. If each
-//! coordinate is at most 0.55 units off, a tip is at most 0.55 sqrt(2) = 0.78 units off to the side; so of two different angles
-//! less than half a turn apart, the second's direction is never before the first's, and never the same. Quarters and eighths of
-//! a turn, where mirrored parts meet, are exact: an axis or equal coordinates. A test looks at every angle of an eighth, the other
-//! at the distance from the true values, which is below 0.55.
+//! **No direction turns back.** One unit of angle moves the tip of a vector of length `2^30` by 2 pi / 4 = 1.57 units. If
+//! each coordinate is at most 0.55 units off, a tip is at most 0.55 sqrt(2) = 0.78 units off to the side; so of two different
+//! angles less than half a turn apart, the second's direction is never before the first's, and never the same. Quarters and
+//! eighths of a turn, where mirrored parts meet, are exact: an axis or equal coordinates. One test walks through every angle
+//! of an eighth; another measures the distance from the true values, which is below 0.55.
 //!
 //! Source of the reduction and of the way to fit: J. F. Hart et al., "Computer Approximations", Wiley, 1968.
 

@@ -73,8 +73,8 @@ pub trait Surface {
         false
     }
 
-    /// What a method of [`Canvas`](crate::Canvas) paints in one colour: it asked for the window just before, so nothing is clipped
-    /// again. For octants, it may answer as [`fill_octants`](Self::fill_octants) does.
+    /// Paints what a method of [`Canvas`](crate::Canvas) draws in one colour. It was clipped against the window just before, so it
+    /// is not clipped again. Returns what [`fill_octants`](Self::fill_octants) returns for octants, and `true` for all else.
     #[doc(hidden)]
     #[inline(always)]
     fn fill_inside(&mut self, what: Inside, color: Self::Color) -> bool {

@@ -30,6 +30,7 @@ pub mod scenes;
 mod shapes;
 pub mod strokes;
 pub mod tools;
+pub mod watched;
 
 use embedded_raster::{ClippedSpan, PointFx, Rect};
 pub use shapes::*;

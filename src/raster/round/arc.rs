@@ -71,8 +71,8 @@ impl Sector {
 
     /// From `start` on, so many degrees clockwise, or the other way if negative. A full turn and more is everything.
     ///
-    /// A sweep of -90 degrees has the directions that one of 90 degrees has which starts a quarter of a turn earlier: the first
-    /// direction, clockwise, is in and the last one out.
+    /// A sweep of -90 degrees from an angle is one of 90 degrees up to that angle. As everywhere, the first direction, going
+    /// clockwise, is in and the last one is out.
     /// ```
     /// use embedded_raster::{geom::Angle, raster::arc::Sector};
     /// use fixed::types::I16F16;

@@ -134,12 +134,10 @@ impl Pen {
     #[inline(never)]
     pub(super) fn cap(&self, at: PointFx, u: Option<Direction>) -> Option<Piece> {
         let (right, left) = u.map(|u| (u.right(), u.right().back()))?;
-        if self.cap == Cap::Butt || self.hides(at, at) {
-            return None;
-        }
         let (r, l) = (right.offset(self.width), left.offset(self.width));
         match self.cap {
             Cap::Butt => None,
+            Cap::Square if self.hides(at, at) => None,
             Cap::Square => {
                 // The offset to the right, turned to the left, points ahead.
                 let ahead = (r.1, l.0);
