@@ -17,9 +17,9 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     pixel::Lsb0,
-    raster::flood::{fill, Connectivity, FloodSlot},
+    raster::flood::{fill, Connectivity, FloodSlot, FloodTarget},
     surface::{paged_bytes, Paged},
-    Canvas, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Surface,
+    Canvas, ClippedSpan, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, Rect, Surface,
 };
 use twins::{
     letters::Letters,
@@ -307,4 +307,122 @@ fn unused_bits() {
     let red = Rgb555::new(31, 0, 0);
     frame.flood_fill(Point::new(0, 0), Connectivity::Sides, &mut [FloodSlot::EMPTY], red);
     assert_eq!(frame.get(Point::new(2, 0)), Some(red));
+}
+
+/// Counts the pixels that are read.
+struct Counted {
+    picture: Letters,
+    reads: std::cell::Cell<u64>,
+}
+
+impl FloodTarget for Counted {
+    fn window(&self) -> Rect {
+        self.picture.window()
+    }
+
+    fn is_open(&self, x: i32, y: i32) -> bool {
+        self.reads.set(self.reads.get() + 1);
+        self.picture.is_open(x, y)
+    }
+
+    fn paint(&mut self, span: ClippedSpan) {
+        self.picture.paint(span);
+    }
+}
+
+/// The slots that a fill wants, and the pixels that it reads with a table of some length.
+fn reads(picture: &Letters, seed: (i32, i32), reach: Connectivity, capacity: usize) -> (usize, u64) {
+    let mut counted = Counted { picture: picture.clone(), reads: 0.into() };
+    let wanted = fill(&mut counted, Point::new(seed.0, seed.1), reach, &mut vec![FloodSlot::EMPTY; capacity]);
+    assert!(counted.picture == picture.flooded(seed, reach), "{reach:?} with {capacity} slots");
+    (wanted, counted.reads.get())
+}
+
+/// Noise, pillars of one pixel, teeth of a comb, and corridors, with their names; to be filled from the corner or next to it.
+fn hard_pictures(rng: &mut Rng) -> Vec<(String, Letters)> {
+    let mut pictures = vec![];
+    for size in [64, 128, 256] {
+        for percent in if size == 256 { vec![5] } else { vec![1, 5, 10, 30] } {
+            let mut noise = Letters::new(size, size, |_| rng.below(100) >= percent);
+            noise.pixels[0] = b'.';
+            pictures.push((format!("{percent} % noise, {size} x {size}"), noise));
+        }
+    }
+    let picture = |open: &dyn Fn(i32, i32) -> bool| Letters::new(201, 201, |at| open(at % 201, at / 201));
+    for step in [2, 3, 4] {
+        pictures.push((format!("pillars, one in {step}"), picture(&|x, y| x % step != 1 || y % step != 1)));
+    }
+    pictures.push(("a chequerboard".into(), picture(&|x, y| (x + y) % 2 == 0)));
+    pictures.push(("a comb".into(), picture(&|x, y| x % 2 == 0 || y == 0)));
+    for loops in [0, 10, 100, 300] {
+        let mut maze = maze(rng, 201, 201, loops);
+        maze.pixels[0] = b'.';
+        maze.pixels[1] = b'.';
+        pictures.push((format!("a maze with {loops} loops in 1,000"), maze));
+    }
+    pictures
+}
+
+/// Work with a table that is too short, counted in pixels that are read: with 5 % noise, pillars and combs at most 8 times the
+/// pixels painted times how many times too short it is. The worst of all pictures here is the one that the module names.
+#[test]
+fn few_slots_cost_no_more_than_they_are_too_few() {
+    let mut rng = Rng::new(320);
+    let mut worst = [0; 2];
+    for (name, picture) in hard_pictures(&mut rng) {
+        for reach in REACHES {
+            let open = |picture: &Letters| picture.pixels.iter().filter(|&&pixel| pixel == b'.').count();
+            let pixels = (open(&picture) - open(&picture.flooded((0, 0), reach))) as u64;
+            let (wanted, most) = reads(&picture, (0, 0), reach, 1 << 16);
+            assert!(most <= 6 * pixels, "{name}: {most} reads for {pixels} pixels with enough slots");
+            let is_bounded = name.starts_with("5 %") || name.starts_with("pillars") || name == "a comb";
+            let part = if is_bounded { wanted * 9 / 10 } else { 700 };
+            for capacity in [1, 3, 16, 64, 256, 1_000, wanted / 2, part] {
+                if capacity >= 1 && capacity < wanted {
+                    let (_, reads) = reads(&picture, (0, 0), reach, capacity);
+                    let bound = 8 * pixels * wanted.div_ceil(capacity) as u64;
+                    assert!(
+                        !is_bounded || reads <= bound,
+                        "{name}, {reach:?}, {capacity} of {wanted} slots: {reads} reads for {pixels} pixels"
+                    );
+                    let worst = &mut worst[usize::from(capacity >= 16)];
+                    *worst = reads.div_ceil(pixels).max(*worst);
+                }
+            }
+        }
+    }
+    assert!(worst <= [7_700, 550], "the worst cases that the module names: {worst:?} reads a pixel");
+}
+
+/// Two large loops that a corridor joins, with a dead end in its middle: the walker eats the dead end, and then stands where both
+/// walls are the same one.
+#[test]
+fn a_dead_end_between_two_loops() {
+    let (width, height) = (83, 47);
+    let in_loop = |x: i32, y: i32| {
+        let ring = (x - 1).min(y - 1).min(31 - x).min(45 - y);
+        ring == 0
+    };
+    let picture = Letters::new(width, height, |at| {
+        let (x, y) = (at % width, at / width);
+        in_loop(x, y)
+            || in_loop(width - 1 - x, y)
+            || (y == 23 && (31..=51).contains(&x))
+            || (x == 41 && (23..40).contains(&y))
+    });
+    for turned in [false, true] {
+        let picture = if turned {
+            Letters::new(height, width, |at| picture.at(at / height, at % height) == Some(b'.'))
+        } else {
+            picture.clone()
+        };
+        for seed in [(41, 39), (41, 30), (1, 1), (36, 23), (47, 23), (81, 45)] {
+            let seed = if turned { (seed.1, seed.0) } else { seed };
+            for reach in REACHES {
+                for capacity in 0..3 {
+                    check(&picture, seed, reach, capacity);
+                }
+            }
+        }
+    }
 }
