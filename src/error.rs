@@ -75,16 +75,18 @@ pub struct EdgeTableFull {
 pub enum TriangulateError {
     /// Two sides cross. Each is given by the number of the vertex where it starts.
     SidesCross {
-        /// The one that starts first.
+        /// The first one that `second` crosses.
         first: usize,
-        /// The other.
+        /// The first one that crosses one before it.
         second: usize,
     },
     /// The polygon takes more slots than the table of sides has.
     SideTableFull {
         /// Slots of the table, 65,535 of them at most.
         capacity: usize,
-        /// Slots that are enough. If it is above 65,535, no table is; then sides that touch may need more still.
+        /// Slots that are enough; if it is above 65,535, no table is. But if the table has no slot for each vertex and two
+        /// for each contour but the first, `needed` is their number: sides were not looked at, and may need more if they
+        /// touch.
         needed: usize,
     },
     /// A table that holds one slot for each triangle is too small.

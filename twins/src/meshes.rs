@@ -43,10 +43,10 @@ fn cross((a, b): (Units, Units), (c, d): (Units, Units)) -> bool {
     det != 0 && inside(t) && inside(u)
 }
 
-/// The first two sides that cross.
+/// The first side that crosses one before it, and the first one that it crosses, which comes first here.
 pub fn first_crossing(contours: &Contours) -> Option<(usize, usize)> {
     let sides: Vec<_> = shapes::sides(contours).collect();
-    (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| cross(sides[i], sides[j])).map(|j| (i, j)))
+    (0..sides.len()).find_map(|j| (0..j).find(|&i| cross(sides[i], sides[j])).map(|i| (i, j)))
 }
 
 fn lies_between((a, b): (Units, Units), p: Units) -> bool {

@@ -54,7 +54,7 @@ impl<'a> Sides<'a> {
     }
 
     /// The next side: the numbers of the vertices at its ends.
-    fn next(&mut self) -> Option<(usize, usize)> {
+    pub(super) fn next(&mut self) -> Option<(usize, usize)> {
         while self.at >= self.end {
             if !self.next_contour() {
                 return None;
@@ -69,37 +69,6 @@ impl<'a> Sides<'a> {
         self.vertices.get(vertex).copied().map_or((0, 0), bits)
     }
 
-    /// The first two sides that cross at a place that is an end of neither, by the vertices where they start.
-    pub(super) fn crossing(mut self) -> Option<(usize, usize)> {
-        while let Some((first, end)) = self.next() {
-            let (a, b) = (self.place(first), self.place(end));
-            let mut others = self;
-            while let Some((second, end)) = others.next() {
-                if cross(a, b, self.place(second), self.place(end)) {
-                    return Some((first, second));
-                }
-            }
-        }
-        None
-    }
-
-    /// How often a vertex lies on a side between the ends of it. Vertices at the same place count once for a side.
-    ///
-    /// Each vertex is looked for among those before it once, not once for each side: in a zigzag on one straight line nearly every
-    /// vertex lies on nearly every side.
-    pub(super) fn touches(self) -> usize {
-        let mut count = 0_usize;
-        for vertex in (0..self.vertices.len()).filter(|&vertex| self.first_at(vertex) == vertex) {
-            let (place, mut sides) = (self.place(vertex), self);
-            while let Some((from, to)) = sides.next() {
-                if is_between(self.place(from), self.place(to), place) {
-                    count = count.saturating_add(1);
-                }
-            }
-        }
-        count
-    }
-
     /// The first vertex at the place of another.
     fn first_at(&self, vertex: usize) -> usize {
         let place = self.place(vertex);
@@ -112,15 +81,6 @@ impl<'a> Sides<'a> {
 fn boxes_overlap((a, b): (Place, Place), (c, d): (Place, Place)) -> bool {
     let overlap = |a: i32, b: i32, c: i32, d: i32| a.min(b) <= c.max(d) && c.min(d) <= a.max(b);
     overlap(a.0, b.0, c.0, d.0) && overlap(a.1, b.1, c.1, d.1)
-}
-
-/// Whether the sides `ab` and `cd` cross at a place that is an end of neither: the ends of each lie on opposite sides
-/// of the other.
-fn cross(a: Place, b: Place, c: Place, d: Place) -> bool {
-    let opposite = |p: Ordering, q: Ordering| p != Ordering::Equal && p == q.reverse();
-    boxes_overlap((a, b), (c, d))
-        && opposite(turn_at(a, b, c), turn_at(a, b, d))
-        && opposite(turn_at(c, d, a), turn_at(c, d, b))
 }
 
 /// Whether `p` lies on the side `ab`, but not at an end.
