@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 use anyhow::{bail, Context, Result};
 
-use crate::firmware::{self, Opt, Program};
+use crate::firmware::{self, Build, Opt, Program};
 use crate::{run, scene, size, table, Chip};
 
 /// The chips that have budgets, by their names on the command line.
@@ -33,12 +33,13 @@ pub fn measure() -> Result<Budgets> {
     // Those of this crate.
     let features: Vec<String> = size::programs()?.into_iter().filter(|name| !name.starts_with("eg_")).collect();
     for (name, chip) in CHIPS {
-        let rows = table::parse(&run(&Program { package: "bench", bin: "own" }, chip, Opt::Three)?)?;
+        let build = Build::new(chip, Opt::Three);
+        let rows = table::parse(&run(&Program { package: "bench", bin: "own" }, build)?)?;
         for row in rows {
             // Not their stack: in one program with all workloads it depends on what is inlined where.
             all.insert(format!("instructions;{name};3;{};{}", row.workload, row.format), row.instructions);
         }
-        let frames = scene::on_chip(chip, Opt::Three)?;
+        let frames = scene::on_chip(build)?;
         scene::compare(&host, chip, &frames)?;
         for frame in frames {
             all.insert(format!("instructions;{name};3;{};{}", frame.name, frame.format), frame.instructions);

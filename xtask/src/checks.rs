@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::{ensure, Context, Result};
 
-use crate::firmware::{project, Opt};
+use crate::firmware::{project, Build, Opt};
 use crate::steps::step;
 use crate::{budget, proofs, scene, symbols, Chip};
 
@@ -35,7 +35,9 @@ pub fn full() -> Result<()> {
     step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
     for opt in Opt::ALL {
-        step(&format!("scene: every chip, opt-level {}", opt.name()), || scene::check_all(&Chip::ALL, opt))?;
+        step(&format!("scene: every chip, opt-level {}", opt.name()), || {
+            scene::check_all(&Chip::ALL.map(|chip| Build::new(chip, opt)))
+        })?;
     }
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;
     passed(start);

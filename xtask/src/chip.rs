@@ -37,6 +37,15 @@ impl Chip {
         }
     }
 
+    /// What the compiler calls the processor, and whose table the plugin of the emulator adds up, if there is one.
+    pub(crate) fn processor(self) -> (&'static str, Option<&'static str>) {
+        match self {
+            Self::M0 => ("cortex-m0plus", Some("m0")),
+            Self::M4 => ("cortex-m4", Some("m4")),
+            Self::Riscv => ("generic-rv32", None),
+        }
+    }
+
     /// The machine, as arguments of the emulator.
     pub(crate) fn machine(self) -> &'static [&'static str] {
         match self {

@@ -8,14 +8,14 @@ use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail, Context, Result};
 
-use crate::Chip;
+use crate::{plugin, Chip};
 
 /// A program that hangs is stopped after this; the longest one takes some seconds.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
 
-/// Runs a program to its end and returns what it printed. Fails when its exit code is not 0.
+/// Runs a program to its end and returns what it printed, with its cycles. Fails when its exit code is not 0.
 pub fn run(chip: Chip, elf: &Path) -> Result<String> {
-    let mut child = command(chip, elf).spawn().map_err(|error| explain(chip, error))?;
+    let mut child = command(chip, elf)?.spawn().map_err(|error| explain(chip, error))?;
     // A thread, because a full pipe would stop the program while its end is waited for.
     let mut stdout = child.stdout.take().context("output of the emulator")?;
     let reader = thread::spawn(move || {
@@ -27,16 +27,19 @@ pub fn run(chip: Chip, elf: &Path) -> Result<String> {
     if !status.success() {
         bail!("{} on {chip} ended with {status} after printing:\n{output}", elf.display());
     }
-    Ok(output)
+    plugin::together(&output)
 }
 
-fn command(chip: Chip, elf: &Path) -> Command {
+fn command(chip: Chip, elf: &Path) -> Result<Command> {
     let mut qemu = Command::new(chip.emulator().0);
     qemu.args(chip.machine());
     qemu.args(["-display", "none", "-serial", "none", "-monitor", "none"]);
     qemu.args(["-semihosting-config", "enable=on,target=native", "-icount", "shift=0"]);
+    if let Some(argument) = plugin::argument(chip, elf)? {
+        qemu.arg("-plugin").arg(argument);
+    }
     qemu.arg("-kernel").arg(elf).stdin(Stdio::null()).stdout(Stdio::piped());
-    qemu
+    Ok(qemu)
 }
 
 fn explain(chip: Chip, error: std::io::Error) -> anyhow::Error {

@@ -1,5 +1,6 @@
 //! Building one program for one chip.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::str::FromStr;
@@ -51,6 +52,34 @@ impl FromStr for Opt {
     }
 }
 
+/// What a program is built for.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Build {
+    /// The chip.
+    pub chip: Chip,
+    /// The optimisation level.
+    pub opt: Opt,
+    /// With `-C target-cpu` of the chip's processor, which schedules instructions and merges stores in another way.
+    pub cpu: bool,
+}
+
+impl Build {
+    /// As most firmwares are built: without a processor.
+    pub fn new(chip: Chip, opt: Opt) -> Self {
+        Self { chip, opt, cpu: false }
+    }
+}
+
+impl fmt::Display for Build {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, opt-level {}", self.chip, self.opt.name())?;
+        if self.cpu {
+            write!(f, ", target-cpu={}", self.chip.processor().0)?;
+        }
+        Ok(())
+    }
+}
+
 /// A binary of the firmware's workspace. Its package is part of the name: building the whole
 /// workspace at once would give each package the features of all.
 #[derive(Copy, Clone, Debug)]
@@ -72,10 +101,17 @@ pub fn project() -> &'static Path {
 }
 
 /// Builds a program and returns where its ELF is.
-pub fn build(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<PathBuf> {
+pub fn build(program: &Program<'_>, Build { chip, opt, cpu }: Build) -> Result<PathBuf> {
     let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
     cargo.args(["--bin", program.bin]);
-    Ok(cargo_build(cargo, program.package, &root().join("target"), chip, opt)?.join(program.bin))
+    let mut target_dir = root().join("target");
+    if cpu {
+        // In a folder of its own: another flag builds everything anew. It goes beside the flags of .cargo/config.toml.
+        target_dir.push("cpu");
+        cargo
+            .args(["--config", &format!("target.{}.rustflags=['-Ctarget-cpu={}']", chip.target(), chip.processor().0)]);
+    }
+    Ok(cargo_build(cargo, program.package, &target_dir, chip, opt)?.join(program.bin))
 }
 
 /// Builds all programs of a package, with some of its features, and returns the folder of the ELFs.

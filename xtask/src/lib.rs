@@ -9,7 +9,7 @@
 //!    |                            |      frames: its deepest stack
 //!    |                            |      symbols: what must not be linked
 //!    |                            |
-//!  emulator                      QEMU ---> output ---> table: instructions per pixel
+//!  emulator         QEMU and plugin ---> output ---> table: cycles and instructions per pixel
 //!                                                      scene: whole frames, compared with the host's
 //!                                                      budget: what has grown
 //! ```
@@ -22,6 +22,7 @@ pub mod chip;
 pub mod emulator;
 pub mod firmware;
 pub mod frames;
+pub mod plugin;
 pub mod proofs;
 pub mod readme;
 pub mod scene;
@@ -32,18 +33,18 @@ pub mod table;
 pub mod toolchain;
 
 pub use chip::Chip;
-pub use firmware::{Opt, Program};
+pub use firmware::{Build, Opt, Program};
 
 use anyhow::Result;
 
 /// Builds a program, runs it on the chip and returns what it printed.
-pub fn run(program: &Program<'_>, chip: Chip, opt: Opt) -> Result<String> {
-    let elf = firmware::build(program, chip, opt)?;
-    emulator::run(chip, &elf)
+pub fn run(program: &Program<'_>, build: Build) -> Result<String> {
+    let elf = firmware::build(program, build)?;
+    emulator::run(build.chip, &elf)
 }
 
 /// Everything that a number depends on.
-pub fn heading(chip: Chip, opt: Opt) -> Result<String> {
-    let compiler = toolchain::Toolchain::find(chip)?.version()?;
-    Ok(format!("{chip}, opt-level {}, {compiler}", opt.name()))
+pub fn heading(build: Build) -> Result<String> {
+    let compiler = toolchain::Toolchain::find(build.chip)?.version()?;
+    Ok(format!("{build}, {compiler}"))
 }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::table::{self, Cell};
-use xtask::{budget, checks, heading, proofs, readme, run, scene, size, symbols, Chip, Opt, Program};
+use xtask::{budget, checks, heading, proofs, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -23,18 +23,19 @@ Checks:
     symbols [--target CHIP]... [--opt 3|s]
         fail when a firmware in size/ links what it does not use, or floats, at both opt-levels unless told
 
-The firmware on emulated chips. Counts are instructions, not cycles.
+The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M4 and Cortex-M0+: see cycles/src/model.rs.
+On RISC-V there are instructions only.
 
-    run <bin> [--package bench] [--target CHIP]... [--opt 3|s]
+    run <bin> [--package bench] [--target CHIP]... [--opt 3|s] [--cpu]
         build a program, run it and print what it prints
-    table [--target CHIP]... [--opt 3|s] [--format FORMAT] [--per pixel|call|stack] [--rows NAME,NAME...]
-        run `table` and print it as Markdown
+    table [--target CHIP]... [--opt 3|s] [--cpu] [--format FORMAT] [--per pixel|call|stack] [--rows NAME,NAME...]
+        run `table` and print it as Markdown: cycles, and instructions beside them
     size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
-    scene [--target CHIP]... [--opt 3|s]
+    scene [--target CHIP]... [--opt 3|s] [--cpu]
         draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
     budget [--bless]
-        fail when instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
+        fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
 Documentation:
 
@@ -44,6 +45,7 @@ Documentation:
         draw the pictures of src/tour.md, the page of the crate, anew: look at each that changed
 
 CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
+--cpu builds with -C target-cpu of the chip's processor.
 ";
 
 fn main() -> ExitCode {
@@ -88,26 +90,26 @@ fn alone(args: Arguments, work: impl FnOnce() -> Result<()>) -> Result<()> {
 }
 
 fn run_program(mut args: Arguments) -> Result<()> {
-    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    let builds = builds(&mut args)?;
     let package: String = args.opt_value_from_str("--package")?.unwrap_or("bench".into());
     let bin: String = args.free_from_str()?;
     finish(args)?;
-    for chip in chips {
-        print!("{}", run(&Program { package: &package, bin: &bin }, chip, opt)?);
+    for build in builds {
+        print!("{}", run(&Program { package: &package, bin: &bin }, build)?);
     }
     Ok(())
 }
 
 fn print_tables(mut args: Arguments) -> Result<()> {
-    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    let builds = builds(&mut args)?;
     let format: Option<String> = args.opt_value_from_str("--format")?;
     let cell = args.opt_value_from_str("--per")?.unwrap_or(Cell::PerPixel);
     let wanted = wanted_rows(&mut args)?;
     finish(args)?;
-    for chip in chips {
-        let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, chip, opt)?)?;
+    for build in builds {
+        let rows = table::parse(&run(&Program { package: "bench", bin: "table" }, build)?)?;
         let rows = table::select(rows, wanted.as_deref(), |row| &row.workload)?;
-        println!("{}: {}\n", heading(chip, opt)?, cell.title());
+        println!("{}: {}\n", heading(build)?, cell.title(&rows));
         for name in table::formats(&rows) {
             if format.as_deref().is_none_or(|wanted| wanted == name) {
                 println!("{}", table::markdown(&rows, name, cell));
@@ -124,15 +126,15 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
     let programs = table::select(size::programs()?, wanted.as_deref(), |name| name)?;
     for chip in chips {
         let table = size::markdown(&size::features(&programs, chip, opt)?, &size::painted(&programs, chip, opt)?);
-        println!("{}: bytes beyond `empty`\n\n{table}", heading(chip, opt)?);
+        println!("{}: bytes beyond `empty`\n\n{table}", heading(Build::new(chip, opt))?);
     }
     Ok(())
 }
 
 fn print_scene(mut args: Arguments) -> Result<()> {
-    let (chips, opt) = (chips(&mut args)?, opt(&mut args, Opt::Three)?);
+    let builds = builds(&mut args)?;
     finish(args)?;
-    scene::check_all(&chips, opt)
+    scene::check_all(&builds)
 }
 
 fn budget(mut args: Arguments) -> Result<()> {
@@ -167,6 +169,12 @@ fn check_panics(mut args: Arguments) -> Result<()> {
 fn chips(args: &mut Arguments) -> Result<Vec<Chip>> {
     let chosen: Vec<Chip> = args.values_from_str("--target")?;
     Ok(if chosen.is_empty() { Chip::ALL.to_vec() } else { chosen })
+}
+
+/// The chips, with the optimisation level and the processor.
+fn builds(args: &mut Arguments) -> Result<Vec<Build>> {
+    let (opt, cpu) = (opt(args, Opt::Three)?, args.contains("--cpu"));
+    Ok(chips(args)?.into_iter().map(|chip| Build { chip, opt, cpu }).collect())
 }
 
 fn opt(args: &mut Arguments, default: Opt) -> Result<Opt> {

@@ -6,9 +6,9 @@ use std::str::FromStr;
 
 use anyhow::{bail, ensure, Context, Error, Result};
 
-use crate::firmware::{self, Opt, Program};
+use crate::firmware::{self, Build, Program};
 use crate::size::Sections;
-use crate::{emulator, heading, run, Chip};
+use crate::{emulator, heading, run, table, Chip};
 
 /// The programs that print frames: all of them, and the map with its memory static.
 const SCENE: Program<'_> = Program { package: "bench", bin: "scene" };
@@ -21,6 +21,8 @@ pub struct Frame {
     pub name: String,
     /// Name of the pixel format.
     pub format: String,
+    /// Modelled cycles, where they are counted.
+    pub cycles: Option<f64>,
     /// Instructions; 0 where they are not counted.
     pub instructions: f64,
     /// Bytes of stack, likewise.
@@ -34,12 +36,13 @@ impl FromStr for Frame {
 
     fn from_str(line: &str) -> Result<Self, Error> {
         let fields: Vec<&str> = line.split(';').collect();
-        let &[name, format, instructions, stack, crc32] = &fields[..] else {
-            bail!("{} fields instead of 5 in the line `{line}`", fields.len());
+        let &[name, format, cycles, instructions, stack, crc32] = &fields[..] else {
+            bail!("{} fields instead of 6 in the line `{line}`", fields.len());
         };
         Ok(Self {
             name: name.into(),
             format: format.into(),
+            cycles: table::parse_cycles(cycles)?,
             instructions: instructions.parse()?,
             stack: stack.parse()?,
             crc32: u32::from_str_radix(crc32, 16)?,
@@ -51,14 +54,15 @@ fn parse(output: &str) -> Result<Vec<Frame>> {
     output.lines().filter(|line| !line.starts_with('#')).map(str::parse).collect()
 }
 
-/// Draws all frames on some chips and prints what they take. Fails where one is not that of this computer.
-pub fn check_all(chips: &[Chip], opt: Opt) -> Result<()> {
+/// Draws all frames in some builds for chips and prints what they take. Fails where one is not that of this computer.
+pub fn check_all(builds: &[Build]) -> Result<()> {
     let host = on_host()?;
-    for &chip in chips {
-        let frames = on_chip(chip, opt)?;
-        println!("{}\n\n{}", heading(chip, opt)?, markdown(&frames));
+    for build in builds {
+        let (build, chip) = (*build, build.chip);
+        let frames = on_chip(build)?;
+        println!("{}\n\n{}", heading(build)?, markdown(&frames));
         compare(&host, chip, &frames)?;
-        let ram = map(chip, opt)?;
+        let ram = map(build)?;
         println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
     }
     println!("All frames are those of this computer.");
@@ -76,8 +80,8 @@ pub fn on_host() -> Result<Vec<Frame>> {
 }
 
 /// Draws all frames on a chip.
-pub fn on_chip(chip: Chip, opt: Opt) -> Result<Vec<Frame>> {
-    parse(&run(&SCENE, chip, opt)?)
+pub fn on_chip(build: Build) -> Result<Vec<Frame>> {
+    parse(&run(&SCENE, build)?)
 }
 
 /// Fails where a frame of a chip is not that of this computer.
@@ -105,19 +109,22 @@ struct Ram {
 }
 
 /// Builds and runs the map alone.
-fn map(chip: Chip, opt: Opt) -> Result<Ram> {
-    let elf = firmware::build(&MAP, chip, opt)?;
-    let frames = parse(&emulator::run(chip, &elf)?)?;
+fn map(build: Build) -> Result<Ram> {
+    let elf = firmware::build(&MAP, build)?;
+    let frames = parse(&emulator::run(build.chip, &elf)?)?;
     let stack = frames.first().context("the map prints nothing")?.stack;
     Ok(Ram { statics: Sections::of(&elf)?.ram(), stack })
 }
 
 /// A Markdown table of the frames of a chip.
 fn markdown(frames: &[Frame]) -> String {
-    let mut text = String::from("| frame | format | instructions | stack | CRC-32 |\n|---|---|---:|---:|---|\n");
-    for Frame { name, format, instructions, stack, crc32 } in frames {
+    let mut text = String::from(
+        "| frame | format | modelled cycles | instructions | stack | CRC-32 |\n|---|---|---:|---:|---:|---|\n",
+    );
+    for Frame { name, format, cycles, instructions, stack, crc32 } in frames {
+        let cycles = cycles.map_or("–".into(), |cycles| format!("{cycles:.0}"));
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "| {name} | {format} | {instructions:.0} | {stack} | {crc32:08x} |");
+        let _ = writeln!(text, "| {name} | {format} | {cycles} | {instructions:.0} | {stack} | {crc32:08x} |");
     }
     text
 }
@@ -126,12 +133,13 @@ fn markdown(frames: &[Frame]) -> String {
 mod tests {
     use super::*;
 
-    const OUTPUT: &str = "# a remark\nmap;index4;123.4;56;4d0f4b9a\nshapes;rgb565;9.0;8;00000001\n";
+    const OUTPUT: &str = "# a remark\nmap;index4;234;123.4;56;4d0f4b9a\nshapes;rgb565;-;9.0;8;00000001\n";
 
     #[test]
     fn another_checksum_is_an_error() {
         let host = parse(OUTPUT).expect("well-formed");
-        assert_eq!((host[0].instructions, host[0].crc32), (123.4, 0x4D0F_4B9A), "fields");
+        assert_eq!((host[0].cycles, host[0].instructions, host[0].crc32), (Some(234.0), 123.4, 0x4D0F_4B9A), "fields");
+        assert_eq!(host[1].cycles, None, "nobody counted them");
         assert!(compare(&host, Chip::M0, &host).is_ok(), "the same");
         let mut other = host.clone();
         other[1].crc32 = 2;

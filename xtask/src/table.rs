@@ -5,6 +5,8 @@ use std::str::FromStr;
 
 use anyhow::{bail, Context, Error, Result};
 
+use crate::plugin;
+
 /// One line: what a workload costs in one format and engine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
@@ -14,7 +16,9 @@ pub struct Row {
     pub format: String,
     /// Name of the engine.
     pub engine: String,
-    /// Instructions of the whole workload.
+    /// Modelled cycles of the whole workload, where they are counted.
+    pub cycles: Option<f64>,
+    /// Instructions, likewise of all of it.
     pub instructions: f64,
     /// Items drawn.
     pub calls: u32,
@@ -31,13 +35,14 @@ impl FromStr for Row {
 
     fn from_str(line: &str) -> Result<Self, Error> {
         let fields: Vec<&str> = line.split(';').collect();
-        let &[workload, format, engine, instructions, calls, pixels, stack, crc32] = &fields[..] else {
-            bail!("{} fields instead of 8", fields.len());
+        let &[workload, format, engine, cycles, instructions, calls, pixels, stack, crc32] = &fields[..] else {
+            bail!("{} fields instead of 9", fields.len());
         };
         Ok(Self {
             workload: workload.into(),
             format: format.into(),
             engine: engine.into(),
+            cycles: parse_cycles(cycles)?,
             instructions: instructions.parse()?,
             calls: calls.parse()?,
             pixels: pixels.parse()?,
@@ -45,6 +50,11 @@ impl FromStr for Row {
             crc32: u32::from_str_radix(crc32, 16)?,
         })
     }
+}
+
+/// A number, or what stands for none.
+pub(crate) fn parse_cycles(field: &str) -> Result<Option<f64>> {
+    Ok(if field == plugin::NONE { None } else { Some(field.parse()?) })
 }
 
 /// All rows of a program's output; lines that start with `#` are remarks.
@@ -56,9 +66,9 @@ pub fn parse(output: &str) -> Result<Vec<Row>> {
 /// What the cells of a table say.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Cell {
-    /// Instructions of a pixel.
+    /// Cycles and instructions of a pixel.
     PerPixel,
-    /// Instructions of an item.
+    /// Those of an item.
     PerCall,
     /// Bytes of stack.
     Stack,
@@ -78,21 +88,27 @@ impl FromStr for Cell {
 }
 
 impl Cell {
-    /// What a table says about its cells.
-    pub fn title(self) -> &'static str {
+    /// What a table of these rows says about its cells.
+    pub fn title(self, rows: &[Row]) -> String {
+        let unit =
+            if rows.iter().any(|row| row.cycles.is_some()) { "modelled cycles (instructions)" } else { "instructions" };
         match self {
-            Self::PerPixel => "instructions per pixel",
-            Self::PerCall => "instructions per call",
-            Self::Stack => "bytes of stack",
+            Self::PerPixel => format!("{unit} per pixel"),
+            Self::PerCall => format!("{unit} per call"),
+            Self::Stack => "bytes of stack".into(),
         }
     }
 
     fn show(self, row: &Row) -> String {
-        match self {
-            Self::PerPixel => rounded(row.instructions / f64::from(row.pixels)),
-            Self::PerCall => rounded(row.instructions / f64::from(row.calls)),
-            Self::Stack => row.stack.to_string(),
-        }
+        let items = match self {
+            Self::PerPixel => row.pixels,
+            Self::PerCall => row.calls,
+            Self::Stack => return row.stack.to_string(),
+        };
+        let [cycles, instructions] =
+            [row.cycles, Some(row.instructions)].map(|sum| sum.map(|sum| rounded(sum / f64::from(items))));
+        let instructions = instructions.unwrap_or_default();
+        cycles.map_or(instructions.clone(), |cycles| format!("{cycles} ({instructions})"))
     }
 }
 
@@ -175,17 +191,18 @@ mod tests {
 
     const OUTPUT: &str = "\
 # a remark
-clear;rgb565;a;1230040.0;1;76800;40;da5b9130
-rects-8x8;rgb565;a;256.0;2;128;64;5454667a
-clear;gray8;a;768000.0;1;76800;40;da5b9130
-clear;rgb565;b;6052.1;1;76800;52;da5b9130
+clear;rgb565;a;2460080;1230040.0;1;76800;40;da5b9130
+rects-8x8;rgb565;a;384;256.0;2;128;64;5454667a
+clear;gray8;a;-;768000.0;1;76800;40;da5b9130
+clear;rgb565;b;-;6052.1;1;76800;52;da5b9130
 ";
 
     #[test]
-    fn a_line_has_eight_fields() {
+    fn a_line_has_nine_fields() {
         let rows = parse(OUTPUT).expect("well-formed");
         assert_eq!(rows.len(), 4, "without the remark");
         assert_eq!(rows[3].instructions.to_string(), "6052.1", "with its tenths");
+        assert_eq!([rows[0].cycles, rows[2].cycles], [Some(2_460_080.0), None]);
         assert_eq!(rows[3].crc32, 0xDA5B_9130, "in hexadecimal");
         assert!(parse("clear;rgb565;a").is_err(), "three fields are no line");
     }
@@ -197,8 +214,8 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
             markdown(&rows, "rgb565", Cell::PerPixel),
             "| rgb565 | calls | pixels | a | b |\n\
              |---|---:|---:|---:|---:|\n\
-             | clear | 1 | 76800 | 16.0 | 0.079 |\n\
-             | rects-8x8 | 2 | 128 | 2.00 | – |\n"
+             | clear | 1 | 76800 | 32.0 (16.0) | 0.079 |\n\
+             | rects-8x8 | 2 | 128 | 3.00 (2.00) | – |\n"
         );
         assert_eq!(formats(&rows), ["rgb565", "gray8"]);
     }
@@ -218,7 +235,7 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
     fn a_workload_of_one_engine_only_keeps_its_place() {
         let rows = [("clear", "a"), ("text", "a"), ("clear", "b"), ("star", "b"), ("text", "b")];
         let rows =
-            rows.map(|(name, engine)| parse(&format!("{name};gray8;{engine};1.0;1;1;0;0")).expect("well-formed"));
+            rows.map(|(name, engine)| parse(&format!("{name};gray8;{engine};-;1.0;1;1;0;0")).expect("well-formed"));
         let rows: Vec<&Row> = rows.iter().flatten().collect();
         assert_eq!(order(&rows), ["clear", "star", "text"]);
     }
@@ -226,7 +243,9 @@ clear;rgb565;b;6052.1;1;76800;52;da5b9130
     #[test]
     fn cells_divide_by_pixels_or_calls() {
         let rows = parse(OUTPUT).expect("well-formed");
-        assert_eq!(Cell::PerCall.show(&rows[1]), "128");
+        assert_eq!(Cell::PerCall.show(&rows[1]), "192 (128)");
+        assert_eq!(Cell::PerCall.title(&rows), "modelled cycles (instructions) per call");
+        assert_eq!(Cell::PerPixel.title(&rows[2..]), "instructions per pixel", "nobody counted cycles");
         assert_eq!(Cell::Stack.show(&rows[1]), "64");
     }
 }

@@ -2,7 +2,7 @@
 
 use core::hint::black_box;
 
-use board::counter::{instructions, Tenths};
+use board::counter::{count, Count};
 use board::{crc32, println, stack, CHIP};
 
 use crate::engine::Engine;
@@ -10,8 +10,8 @@ use crate::scene::{Pictures, Scene, Work, Workload};
 
 /// Prints the names of the fields.
 pub fn header() {
-    println!("# {CHIP}: instructions, not cycles; stack in bytes below the call");
-    println!("# workload;format;engine;instructions;calls;pixels;stack;crc32");
+    println!("# {CHIP}: modelled cycles; stack in bytes below the call");
+    println!("# workload;format;engine;cycles;instructions;calls;pixels;stack;crc32");
 }
 
 /// Measures everything that this engine can draw.
@@ -25,7 +25,7 @@ pub fn print<F>(engine: &Engine<F>, frame: &mut F, scene: &Scene) {
 }
 
 struct Row {
-    instructions: Tenths,
+    count: Count,
     stack: usize,
     crc32: u32,
 }
@@ -36,14 +36,14 @@ fn measure<F>(engine: &Engine<F>, frame: &mut F, work: &Work<'_>) -> Option<Row>
     engine.draw(frame, work)?;
     // Drawing is idempotent: the frame is the same after any number of runs.
     let mut draw = || _ = black_box(engine).draw(black_box(frame), black_box(work));
-    let instructions = instructions(&mut draw);
+    let count = count(&mut draw);
     let stack = stack::depth(&mut draw);
-    Some(Row { instructions, stack, crc32: crc32((engine.bytes)(frame)) })
+    Some(Row { count, stack, crc32: crc32((engine.bytes)(frame)) })
 }
 
 fn line<F>(engine: &Engine<F>, workload: &Workload<'_>, row: &Row) {
     let Workload { name, calls, pixels, .. } = workload;
     let (format, engine) = (engine.format.name(), engine.name);
-    let Row { instructions, stack, crc32 } = row;
-    println!("{name};{format};{engine};{instructions};{calls};{pixels};{stack};{crc32:08x}");
+    let Row { count: Count { cycles, instructions }, stack, crc32 } = row;
+    println!("{name};{format};{engine};{cycles};{instructions};{calls};{pixels};{stack};{crc32:08x}");
 }

@@ -1,6 +1,8 @@
-//! How many instructions a piece of work takes.
+//! How many instructions a piece of work takes, and how many cycles.
 
+use core::arch::asm;
 use core::fmt;
+use core::sync::atomic::{AtomicU32, Ordering};
 
 use crate::chip;
 
@@ -18,6 +20,59 @@ impl fmt::Display for Tenths {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}.{}", self.0 / 10, self.0 % 10)
     }
+}
+
+/// What a piece of work takes.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// Modelled cycles: a placeholder of them.
+    pub cycles: Section,
+    /// Instructions.
+    pub instructions: Tenths,
+}
+
+/// A section of the program whose cycles are modelled: the plugin of the emulator adds them up, which the program cannot see.
+/// It prints as `@n`. `cargo xtask` puts there what the plugin printed for the `n`-th section.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Section(u32);
+
+impl fmt::Display for Section {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "@{}", self.0)
+    }
+}
+
+/// Cycles and instructions of one run of `work`, without the call around it. `work` must do the same each time.
+pub fn count(work: &mut dyn FnMut()) -> Count {
+    Count { cycles: cycles(work), instructions: instructions(work) }
+}
+
+/// Cycles of one run of `work`.
+pub fn cycles(work: &mut dyn FnMut()) -> Section {
+    static SECTIONS: AtomicU32 = AtomicU32::new(0);
+    let section = SECTIONS.load(Ordering::Relaxed);
+    // Not `fetch_add`, which Armv6-M lacks; there is one thread.
+    SECTIONS.store(section + 1, Ordering::Relaxed);
+    // Two marks each: those of the call around no work, and those with it. The tool subtracts.
+    between_marks(&mut || ());
+    between_marks(work);
+    Section(section)
+}
+
+/// Never inlined, so that the empty work runs through the same instructions.
+#[inline(never)]
+fn between_marks(work: &mut dyn FnMut()) {
+    board_mark();
+    work();
+    board_mark();
+}
+
+/// Where the plugin of the emulator begins to count, and where it ends. Its address is found by its name.
+#[unsafe(no_mangle)]
+#[inline(never)]
+extern "C" fn board_mark() {
+    // SAFETY: does nothing. Without it the call would be left out.
+    unsafe { asm!("nop", options(nomem, nostack, preserves_flags)) };
 }
 
 /// Instructions of one run of `work`, without the loop and the call around it.

@@ -1,5 +1,5 @@
 //! What every program on an emulated chip needs: an entry point, output, an exit code, a count of
-//! instructions and the depth of the stack.
+//! cycles and instructions and the depth of the stack.
 //!
 //! | chip | machine of QEMU | count of instructions from |
 //! |---|---|---|
@@ -7,8 +7,9 @@
 //! | Cortex-M4F | `mps2-an386` | SysTick, 40 instructions a tick |
 //! | RV32IMC | `virt` | the `minstret` counter |
 //!
-//! Counts hold only under `-icount shift=0`, where one instruction takes one nanosecond of virtual
-//! time. They are instructions, not cycles: a store-multiple counts once, however many words.
+//! Instructions hold only under `-icount shift=0`, where one instruction takes one nanosecond of
+//! virtual time. A store-multiple counts once, however many words; so on Cortex-M a plugin of the
+//! emulator, `cycles/`, models cycles beside them, between two calls of a function that it knows.
 //!
 //! `unsafe` is at home here (registers, the stack) and in hand-written lower bounds; the crate that
 //! is measured has none.

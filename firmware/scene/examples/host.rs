@@ -11,7 +11,7 @@ fn main() -> Result<(), embedded_raster::Error> {
     for frame in FRAMES {
         let mut memory = vec![0; frame.bytes];
         (frame.draw)(&mut memory, &mut [EdgeSlot::EMPTY; EDGES])?;
-        println!("{};{};0.0;0;{:08x}", frame.name, frame.format, crc::crc32(&memory));
+        println!("{};{};-;0.0;0;{:08x}", frame.name, frame.format, crc::crc32(&memory));
     }
     Ok(())
 }
