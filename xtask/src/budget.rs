@@ -1,8 +1,10 @@
-//! Budgets: what instructions, flash and stack may be, in a text file. One that grows by more than 2 % is an error, and so is
+//! Budgets: what cycles, instructions, flash and stack may be, in a text file. One that grows by more than 2 % is an error, and so is
 //! one that is missing.
 //!
 //! ```text
-//!  instructions;m4;3;clear;rgb565;7668.1      of one workload of this crate
+//!  cycles;m4;3;clear;rgb565;52371             of one workload of this crate
+//!  instructions;m4;3;clear;rgb565;9920.1      likewise
+//!  cycles;m4-cpu;3;clear;rgb565;64836         the same, built with `-C target-cpu`
 //!  stack;m4;3;map;index4;512                  bytes, of a whole frame
 //!  flash;m0;s;line;;600                       bytes of code and constants of a firmware in size/, beyond the empty one
 //!  stack;m0;s;line;;120                       and its stack, summed from the frames
@@ -13,15 +15,19 @@ use std::fmt::Write;
 use std::fs;
 use std::path::PathBuf;
 
-use anyhow::{bail, Context, Result};
+use anyhow::{bail, ensure, Context, Result};
 
 use crate::firmware::{self, Build, Opt, Program};
+use crate::scene::Frame;
 use crate::{run, scene, size, table, Chip};
 
 /// The chips that have budgets, by their names on the command line.
 const CHIPS: [(&str, Chip); 2] = [("m0", Chip::M0), ("m4", Chip::M4)];
 /// What may be grown by: 1 of so many. Another compiler may bring as much.
 const TOLERANCE: f64 = 50.0;
+
+/// Cycles around a loop that is checked.
+const LOOP_ENDS: f64 = 10.0;
 
 /// What is measured, as in the file without its last field, to the number.
 pub type Budgets = BTreeMap<String, f64>;
@@ -34,17 +40,9 @@ pub fn measure() -> Result<Budgets> {
     let features: Vec<String> = size::programs()?.into_iter().filter(|name| !name.starts_with("eg_")).collect();
     for (name, chip) in CHIPS {
         let build = Build::new(chip, Opt::Three);
-        let rows = table::parse(&run(&Program { package: "bench", bin: "own" }, build)?)?;
-        for row in rows {
-            // Not their stack: in one program with all workloads it depends on what is inlined where.
-            all.insert(format!("instructions;{name};3;{};{}", row.workload, row.format), row.instructions);
-        }
-        let frames = scene::on_chip(build)?;
-        scene::compare(&host, chip, &frames)?;
-        for frame in frames {
-            all.insert(format!("instructions;{name};3;{};{}", frame.name, frame.format), frame.instructions);
-            all.insert(format!("stack;{name};3;{};{}", frame.name, frame.format), frame.stack.into());
-        }
+        check_model(&run(&Program { package: "bench", bin: "cycles" }, build)?).with_context(|| chip.to_string())?;
+        speed(&mut all, name, build, &host)?;
+        speed(&mut all, &format!("{name}-cpu"), Build { cpu: true, ..build }, &host)?;
         for feature in size::features(&features, chip, Opt::Small)? {
             let name = format!("{name};s;{};", feature.name);
             let number = |bytes: i64| i32::try_from(bytes).map(f64::from);
@@ -53,6 +51,43 @@ pub fn measure() -> Result<Budgets> {
         }
     }
     Ok(all)
+}
+
+/// Cycles and instructions of workloads and frames, and the stack of frames.
+fn speed(all: &mut Budgets, name: &str, build: Build, host: &[Frame]) -> Result<()> {
+    let mut insert = |of: &str, cycles: Option<f64>, instructions: f64| {
+        all.extend(cycles.map(|cycles| (format!("cycles;{name};3;{of}"), cycles)));
+        all.insert(format!("instructions;{name};3;{of}"), instructions);
+    };
+    // Not the stack of workloads: in one program with all of them it depends on what is inlined where.
+    for row in table::parse(&run(&Program { package: "bench", bin: "own" }, build)?)? {
+        insert(&format!("{};{}", row.workload, row.format), row.cycles, row.instructions);
+    }
+    let frames = scene::on_chip(build)?;
+    scene::compare(host, build.chip, &frames)?;
+    for frame in &frames {
+        insert(&format!("{};{}", frame.name, frame.format), frame.cycles, frame.instructions);
+    }
+    let stack = |frame: &Frame| (format!("stack;{name};3;{};{}", frame.name, frame.format), frame.stack.into());
+    all.extend(frames.iter().map(stack));
+    Ok(())
+}
+
+/// Fails where a loop of the program `cycles` does not take what the manual says: `loop;cycles of the manual;modelled cycles`.
+fn check_model(output: &str) -> Result<()> {
+    for line in output.lines() {
+        let fields: Vec<&str> = line.split(';').collect();
+        let &[name, manual, modelled] = &fields[..] else { bail!("{} fields instead of 3 in `{line}`", fields.len()) };
+        // Without the plugin there is nothing to check.
+        let Some(modelled) = table::parse_cycles(modelled)? else { continue };
+        let manual: f64 = manual.parse().with_context(|| format!("in the line `{line}`"))?;
+        // The loop is entered, and its last branch is not taken.
+        ensure!(
+            (modelled - manual).abs() <= LOOP_ENDS,
+            "{name}: {modelled} cycles are modelled, the manual gives {manual}"
+        );
+    }
+    Ok(())
 }
 
 /// Compares with the file. Fails with a list of all that grew, that has no budget, or that is gone.
@@ -125,6 +160,14 @@ mod tests {
         assert_eq!(with(100.0, 0.0), "", "less");
         assert_eq!(with(613.0, 0.0), "flash;m0;s;line;: 613, the budget is 600 (+2.2 %)\n");
         assert!(with(600.0, 4.0).contains("clear"), "anything is more than nothing");
+    }
+
+    #[test]
+    fn a_model_is_checked_to_some_cycles() {
+        assert!(check_model("a list;12000;12003\na call;9000;-\n").is_ok(), "around the loop, and without the plugin");
+        let error = check_model("a list;12000;9003\n").expect_err("no load may overlap").to_string();
+        assert!(error.starts_with("a list: 9003 cycles"), "{error}");
+        assert!(check_model("a list;12000\n").is_err(), "two fields");
     }
 
     #[test]
