@@ -546,8 +546,8 @@ mod tests {
         assert!(crossed > 5_000 && touched > 5_000, "{crossed} crossed, {touched} touched");
     }
 
-    /// The documentation allows 28 n log2 n + 20 n. These shapes take less than 5 n log2 n, and for each sweep that finds
-    /// out which sides to name 2 n log2 n more.
+    /// The documentation allows 28 n log2 n + 20 n. These shapes take less than 5 n log2 n, with the logarithm rounded up;
+    /// and for each sweep that finds out which sides to name, 2 n log2 n more.
     #[test]
     fn comparisons_are_few() {
         let mut rng = Rng::new(611);

@@ -242,7 +242,7 @@ struct Around {
 impl Around {
     /// Whether one can step there.
     fn leads(self, direction: u32) -> bool {
-        self.steps >> direction & 1 != 0
+        self.steps.wrapping_shr(direction) & 1 != 0
     }
 
     /// Whether a wall reaches in between two ways, the second one next to the first one clockwise.
