@@ -1,8 +1,9 @@
 //! Builds that prove something.
 
+use std::collections::BTreeSet;
 use std::process::Command;
 
-use anyhow::{anyhow, ensure, Context, Result};
+use anyhow::{anyhow, bail, ensure, Context, Result};
 
 use crate::firmware::project;
 use crate::toolchain::Toolchain;
@@ -24,6 +25,7 @@ pub fn cross(chip: Chip) -> Result<()> {
 pub fn probe() -> Result<()> {
     ensure!(cfg!(target_os = "linux"), "the probe needs a linker that takes `-z defs`: run it on Linux");
     let host = host()?;
+    println!("linking every call of the list for this computer, four times: some minutes");
     ensure!(!link(&host, "3", "true", true)?, "the probe links although it panics: it proves nothing");
     // Each of them is one unit of code, so two at a time.
     std::thread::scope(|scope| {
@@ -31,10 +33,10 @@ pub fn probe() -> Result<()> {
             let host = &host;
             scope.spawn(move || {
                 for checks in ["true", "false"] {
-                    ensure!(
-                        link(host, opt, checks, false)?,
-                        "a panic can be reached at opt-level {opt}, overflow checks {checks}"
-                    );
+                    if !link(host, opt, checks, false)? {
+                        let names = culprits(host, opt, checks)?;
+                        bail!("a panic can be reached at opt-level {opt}, overflow checks {checks}, from\n{names}");
+                    }
                     println!("no panic can be reached at opt-level {opt}, overflow checks {checks}");
                 }
                 Ok(())
@@ -46,15 +48,9 @@ pub fn probe() -> Result<()> {
 
 /// Whether it links; any failure but the missing panic handler is an error.
 fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
-    let folder = project().join("firmware/probe");
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    // With a target named, the flags are those of the library alone, not of build scripts as well.
-    cargo.args(["build", "--quiet", "--release", "--target", host]).current_dir(&folder);
-    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
-    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
+    let mut cargo = cargo_build(host, opt, checks, "target/probe");
     cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
-    cargo.arg("--target-dir").arg(project().join("target/probe").join(opt));
-    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections").env_remove("EMBEDDED_RASTER_TUNE");
+    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections");
     let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
     let refused = text.contains("a_panic_can_be_reached");
@@ -62,13 +58,61 @@ fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
     Ok(!refused)
 }
 
+/// The functions that call what panics, a line each: linked with the handler left open, and read from the code.
+fn culprits(host: &str, opt: &str, checks: &str) -> Result<String> {
+    let folder = "target/probe/names";
+    let mut cargo = cargo_build(host, opt, checks, folder);
+    cargo.env("RUSTFLAGS", "-C link-arg=-Wl,--gc-sections -C strip=none");
+    ensure!(cargo.status()?.success(), "the probe does not build with the handler left open");
+    let library = project().join(folder).join(opt).join(host).join("release/libprobe.so");
+    let mut objdump = Command::new("objdump");
+    objdump.args(["-d", "--no-show-raw-insn", "--demangle"]).arg(library);
+    let output = objdump.output().with_context(|| format!("{objdump:?}, to name what panics"))?;
+    Ok(callers_of_panics(&String::from_utf8_lossy(&output.stdout)))
+}
+
+/// Of a disassembly: the functions outside of the core library that call what panics.
+fn callers_of_panics(assembly: &str) -> String {
+    let (mut names, mut function) = (BTreeSet::new(), "");
+    for line in assembly.lines() {
+        if let Some(name) = line.strip_suffix(">:").and_then(|line| line.split_once('<')) {
+            function = name.1;
+        } else if ["core::", "rust_begin_unwind"]
+            .iter()
+            .any(|part| function.contains(part) && !function.starts_with('<'))
+        {
+            continue;
+        } else if ["core::panicking::", "unwrap_failed", "expect_failed", "_fail>"]
+            .iter()
+            .any(|what| line.contains(what))
+        {
+            names.insert(format!("    {function}\n"));
+        }
+    }
+    names.into_iter().collect()
+}
+
+fn cargo_build(host: &str, opt: &str, checks: &str, target: &str) -> Command {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    // With a target named, the flags are those of the library alone, not of build scripts as well.
+    cargo.args(["build", "--quiet", "--release", "--target", host]).current_dir(project().join("firmware/probe"));
+    cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
+    cargo.args(["--config", &format!("profile.release.overflow-checks={checks}")]);
+    cargo.arg("--target-dir").arg(project().join(target).join(opt)).env_remove("EMBEDDED_RASTER_TUNE");
+    cargo
+}
+
 /// The same on a chip: all calls as an image that is linked with nothing left out.
 pub fn panics(chip: Chip) -> Result<()> {
     ensure!(!link_image(chip, "3", "true", true)?, "the probe links although it panics: it proves nothing");
     for opt in ["3", "s"] {
         for checks in ["true", "false"] {
+            println!("linking every call of the list for {chip} at opt-level {opt}");
             let linked = link_image(chip, opt, checks, false)?;
-            ensure!(linked, "a panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
+            ensure!(
+                linked,
+                "a panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}; `cargo xtask probe` may name it"
+            );
             println!("no panic can be reached on {chip} at opt-level {opt}, overflow checks {checks}");
         }
     }
@@ -81,7 +125,9 @@ fn link_image(chip: Chip, opt: &str, checks: &str, panics: bool) -> Result<bool>
     cargo.args(["--quiet", "--release"]).current_dir(project().join("firmware/probe/chip"));
     cargo.args(["--config", &format!("profile.release.opt-level={}", if opt == "s" { "\"s\"" } else { opt })]);
     // For the crate and what it depends on, not for the core library: a toolchain's own comes without them.
-    for package in ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck", "heapless"] {
+    for package in
+        ["embedded-raster", "embedded-graphics-core", "fixed", "bytemuck", "heapless", "embedded-raster-calls"]
+    {
         cargo.args(["--config", &format!("profile.release.package.{package}.overflow-checks={checks}")]);
     }
     cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
@@ -101,4 +147,22 @@ fn host() -> Result<String> {
     let text = String::from_utf8(output.stdout)?;
     let line = text.lines().find_map(|line| line.strip_prefix("host: "));
     Ok(line.context("rustc -vV names no host")?.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_disassembly_names_who_panics() {
+        let assembly = "\
+0000000000023340 <embedded_raster::scan::corridor::{{closure}}>:
+   23375:\tcall   14b2b0 <core::panicking::panic_const::panic_const_mul_overflow>
+0000000000023390 <draw4>:
+   23395:\tcall   14b2b0 <embedded_raster::raster::line::draw>
+000000000014b2b0 <core::panicking::panic_const::panic_const_mul_overflow>:
+  14b2b4:\tcall   14b2a0 <core::panicking::panic_fmt>
+";
+        assert_eq!(callers_of_panics(assembly), "    embedded_raster::scan::corridor::{{closure}}\n");
+    }
 }

@@ -7,7 +7,7 @@
 #![allow(improper_ctypes_definitions)] // nobody calls them
 
 #[cfg(not(feature = "panics"))]
-mod calls;
+mod entries;
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {

@@ -65,8 +65,8 @@ pub(crate) fn corridor<F: PixelFormat>(
     let (pixel, mut painted) = (bytes_per_pixel::<F>(), 0_i32);
     // Three pixels cut out at once: one check of the memory for all.
     while let Some(three) = memory.get_mut(at..).and_then(|rest| rest.get_mut(..3 * pixel)) {
-        let is_open = |i: usize| is_open(F::unpack(word::get::<F>(three, i * pixel)));
-        if !is_open(1) || is_open(0) || is_open(2) {
+        let is_open = |byte: usize| is_open(F::unpack(word::get::<F>(three, byte)));
+        if !is_open(pixel) || is_open(0) || is_open(2 * pixel) {
             break;
         }
         word::set::<F>(three, pixel, bits);

@@ -1,15 +1,16 @@
 //! Drawing calls as an image for a chip: it links only if nothing can panic. It is never run, so it has no start; the linker
 //! is told to keep the calls.
 //!
-//! The probe in `../..` has all formats and proves the same for the computer that builds it; this one has a format of each
-//! kind (bits in bytes, words, odd numbers of bytes), to be built four times for each chip.
+//! The entries are those of the probe in `../..`, which proves the same for the computer that builds it, but with a format of
+//! each kind only (bits in bytes, words, odd numbers of bytes, pages), as they are built four times for each chip.
 #![no_std]
 #![no_main]
 #![allow(clippy::missing_safety_doc, clippy::too_many_arguments)]
 #![allow(improper_ctypes_definitions)] // nobody calls them
 
 #[cfg(not(feature = "panics"))]
-mod calls;
+#[path = "../../src/entries.rs"]
+mod entries;
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
