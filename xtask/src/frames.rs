@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{bail, Context, Result};
-use object::{Object, ObjectSection, ObjectSymbol, RelocationTarget, SymbolKind};
+use object::{Object, ObjectSection, ObjectSymbol, RelocationKind, RelocationTarget, SymbolKind};
 
 /// A function: the bytes of its frame, and those that it calls.
 #[derive(Debug, Default)]
@@ -56,14 +56,25 @@ fn graph(file: &object::File<'_>) -> Result<Graph> {
     let text = file.section_by_name(".text").context("no code")?;
     for (at, relocation) in text.relocations() {
         let RelocationTarget::Symbol(index) = relocation.target() else { continue };
-        let target = even(file.symbol_by_index(index)?.address());
-        // The offset of an image's relocation is an address.
+        let symbol = file.symbol_by_index(index)?;
+        // The offset of an image's relocation is an address. A table of jumps names a section: where in it, is what stands there.
+        let entry = match (symbol.kind(), relocation.kind()) {
+            (SymbolKind::Section, RelocationKind::Absolute) => word(text.address(), text.data()?, at),
+            _ => None,
+        };
+        let target = even(entry.unwrap_or_else(|| symbol.address()));
         let Some((&caller, _)) = graph.range(..=at).next_back().filter(|(_, f)| at < f.end) else { continue };
         if caller != target && graph.contains_key(&target) {
             graph.entry(caller).and_modify(|function| function.calls.push(target));
         }
     }
     Ok(graph)
+}
+
+/// The 32 bits at an address of a section.
+fn word(start: u64, data: &[u8], at: u64) -> Option<u64> {
+    let bytes = data.get(usize::try_from(at.checked_sub(start)?).ok()?..)?.first_chunk()?;
+    Some(u32::from_le_bytes(*bytes).into())
 }
 
 /// Pairs of a 32-bit address and a size in LEB128.
