@@ -173,6 +173,22 @@ impl<'a> Contour<'a> {
         self.closed
     }
 
+    /// Whether the segment whose vertices come now ends at a place.
+    #[inline]
+    pub(crate) fn ends_at(&self, v: PointFx) -> bool {
+        self.at == v
+    }
+
+    /// The same up to the last part of it that a view may show. What comes behind is left out, and with it the closing side. A
+    /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
+    #[inline]
+    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<'a> {
+        let contour = if everywhere { Self { view: View::ALL, ..self } } else { self };
+        let mut front = Front { contour, view, until: None };
+        front.leave_out(hides_corner);
+        front
+    }
+
     #[inline(never)]
     pub(crate) fn next_knot(&mut self) -> Option<Knot> {
         if let Some(at) = self.start.take() {
@@ -199,6 +215,68 @@ impl<'a> Contour<'a> {
                 PathSegment::MoveTo(_) | PathSegment::Close => return None,
             };
         }
+    }
+}
+
+/// The front of a contour, up to the last part that a view may show.
+#[derive(Clone, Debug)]
+pub(crate) struct Front<'a> {
+    contour: Contour<'a>,
+    view: View,
+    /// The end of the last part of the last curve that the view may show.
+    until: Option<u32>,
+}
+
+impl Front<'_> {
+    /// Takes a few comparisons a segment.
+    fn leave_out(&mut self, hides_corner: impl Fn(PointFx) -> bool) {
+        let contour = &mut self.contour;
+        let (start, mut at, mut seen) = (contour.at, contour.at, 0);
+        let segments = contour.segments.as_slice();
+        for (i, segment) in segments.iter().enumerate() {
+            let (c, d, to) = match *segment {
+                PathSegment::LineTo(to) => (to, to, to),
+                PathSegment::QuadraticTo(c, to) => (c, c, to),
+                PathSegment::CubicTo(c, d, to) => (c, d, to),
+                PathSegment::MoveTo(_) | PathSegment::Close => (start, start, start),
+            };
+            if !(self.view.misses(&[at, c, d, to]) && hides_corner(at) && hides_corner(to)) {
+                seen = i.wrapping_add(1);
+            }
+            at = to;
+        }
+        if seen < segments.len() {
+            contour.closed = false;
+            contour.segments = segments.get(..seen).unwrap_or_default().iter();
+        }
+        if seen == 0 {
+            contour.start = None;
+        }
+    }
+
+    #[inline(never)]
+    pub(crate) fn next_knot(&mut self) -> Option<Knot> {
+        let is_last = self.contour.segments.as_slice().is_empty();
+        if let Some(curve) = self.contour.curve.as_ref().filter(|curve| is_last && curve.part.done == curve.part.pieces)
+        {
+            let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view));
+            if curve.part.end() >= until {
+                return None;
+            }
+        }
+        self.contour.next_knot()
+    }
+
+    /// Whether it ends with [`PathSegment::Close`], and that is not left out.
+    #[inline]
+    pub(crate) const fn is_closed(&self) -> bool {
+        self.contour.is_closed()
+    }
+
+    /// Whether the segment whose vertices come now ends at a place.
+    #[inline]
+    pub(crate) fn ends_at(&self, v: PointFx) -> bool {
+        self.contour.ends_at(v)
     }
 }
 
@@ -306,6 +384,26 @@ impl Bezier {
         }
     }
 
+    /// The end of the last part that the view may show, as far as halving tells.
+    fn seen_until(&self, view: &View) -> u32 {
+        let (mut end, mut to, mut level) = (END, self.at(END), TIME_BITS);
+        loop {
+            let start = end.wrapping_sub(1_u32.wrapping_shl(level));
+            let (part, from) = (Section { start, level, pieces: 0, done: 0 }, self.at(start));
+            let bends = self.bends(part);
+            if bends.lie_beside(view, from, to) {
+                if start == 0 {
+                    return 0;
+                }
+                (end, to, level) = (start, from, start.trailing_zeros());
+            } else if bends.pieces(from, to) != 0 {
+                return end;
+            } else {
+                level = level.wrapping_sub(1);
+            }
+        }
+    }
+
     /// W(1/3) and W(2/3) of a part.
     fn bends(&self, part: Section) -> Bends {
         let length = 1_u32.wrapping_shl(part.level);
@@ -322,6 +420,8 @@ impl Bezier {
     }
 
     fn at(&self, t: u32) -> PointFx {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Point);
         PointFx::from_bits(self.x.at(t), self.y.at(t))
     }
 }

@@ -35,6 +35,26 @@ impl View {
         beside(a.0, b.0, self.x0, self.x1) || beside(a.1, b.1, self.y0, self.y1)
     }
 
+    /// With a margin of so many units around it.
+    pub(crate) fn wider(self, units: u32) -> Self {
+        let Self { x0, y0, x1, y1 } = self;
+        let (low, high) = (|n: i32| n.saturating_sub_unsigned(units), |n: i32| n.saturating_add_unsigned(units));
+        Self { x0: low(x0), y0: low(y0), x1: high(x1), y1: high(y1) }
+    }
+
+    /// Whether the box around some places lies beside the view.
+    #[inline(never)]
+    pub(crate) fn misses(&self, places: &[PointFx]) -> bool {
+        let beside = |v: &PointFx| {
+            let (x, y) = bits(*v);
+            u32::from(x < self.x0)
+                | u32::from(x > self.x1) << 1
+                | u32::from(y < self.y0) << 2
+                | u32::from(y > self.y1) << 3
+        };
+        places.iter().map(beside).fold(u32::MAX, |all, sides| all & sides) != 0
+    }
+
     /// Its upper left corner and its lower right one.
     pub(crate) const fn corners(&self) -> [(i32, i32); 2] {
         [(self.x0, self.y0), (self.x1, self.y1)]

@@ -14,5 +14,7 @@ pub(crate) mod decimal;
 pub(crate) mod root;
 pub(crate) mod round;
 pub(crate) mod stepper;
+#[cfg(test)]
+pub(crate) mod tally;
 pub(crate) mod trig;
 pub(crate) mod wide;

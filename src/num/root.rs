@@ -7,6 +7,8 @@ use super::cast::low_u32;
 /// `floor(sqrt(n))`, two bits of `n` at a time.
 #[inline(never)]
 pub(crate) fn square_root(n: u64) -> u32 {
+    #[cfg(test)]
+    super::tally::add(super::tally::Work::Root);
     let (mut rest, mut root) = (n, 0_u64);
     // The largest power of 4 that is not larger than n. For n = 0 any power will do.
     let mut bit = 1_u64 << (63_u32.wrapping_sub(n.leading_zeros()) & 0b11_1110);

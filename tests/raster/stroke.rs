@@ -342,6 +342,85 @@ fn dashes_beside_the_window_are_skipped() {
     }
 }
 
+/// What the twin makes of dashes, without the pieces that lie beside the window: there may be very many of them.
+fn dashes_near(outlines: &[Outline], pen: Pen, pattern: &Pattern, window: Rect) -> Vec<Run> {
+    let mut parts = pen.dashes(outlines, pattern);
+    parts.retain(|part| {
+        let beside = |n: fn(&Units) -> i32, low: i32, high: i32| {
+            let (low, high) = (i64::from(low) << 8, i64::from(high) << 8);
+            part.iter().all(|p| i64::from(n(p)) < low) || part.iter().all(|p| i64::from(n(p)) > high)
+        };
+        !beside(|p| p.0, window.x0, window.x1) && !beside(|p| p.1, window.y0, window.y1)
+    });
+    twins::polygon(&parts, FillRule::NonZero, window)
+}
+
+/// Thousands of dashes before the window, beside it, and on their way to the next side: skipped, and the others are where a walk
+/// from dash to dash would have them.
+#[test]
+fn skipped_dashes_move_nothing() {
+    let mut rng = Rng::new(522);
+    let mut seen = 0;
+    for i in 0..cases(400) {
+        let (scale, shift) = if i % 2 == 0 { (Scale::Hundred, 0) } else { (Scale::Ends, 10) };
+        let mut path = random_path(&mut rng, scale, 1);
+        let all = [places(&path), vec![(0, 0)]].concat();
+        path.insert(0, Piece::Move(all[0]));
+        let mut lengths: Vec<i32> = (0..rng.int(1, 5)).map(|_| rng.int(900, 8_000) << shift).collect();
+        if rng.one_in(3) {
+            lengths[0] = rng.pick(&[0, -5]);
+            lengths.push(rng.int(900, 8_000) << shift);
+        }
+        let pen = random_pen(&mut rng, 2_000);
+        let any = rng.int(i32::MIN, i32::MAX);
+        let pattern = Pattern { lengths, phase: rng.pick(&[0, 1, -1, i32::MIN, i32::MAX, any, any]) };
+        let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
+        let wanted = dashes_near(&outlines(&path), pen, &pattern, window);
+        let got = dashed_pixels(&path, pen, &pattern, window);
+        assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen * 10 >= cases(400), "only {seen} strokes were seen");
+}
+
+/// Corners beside the window whose miters reach into it, while nothing else of the sides does.
+#[test]
+fn tips_of_dashes_beside_the_window() {
+    let mut rng = Rng::new(523);
+    let (window, mut tips) = (Rect::new(0, 0, 20, 16), 0);
+    for i in 0..cases(6_000) {
+        let pen = Pen { width: rng.int(300, 3_000), cap: rng.pick(&CAPS), join: Join::Miter, limit: 0xffff };
+        // A corner to the right of the window, its sides far to the right: the tip points to the left.
+        let corner = (20 * PX + rng.int(0, 6 * pen.width), rng.int(-500, 16 * PX + 500));
+        let far = |rng: &mut Rng| (corner.0 + rng.int(5_000, 90_000), corner.1 + rng.int(-9_000, 9_000));
+        let mut units = vec![far(&mut rng), corner, far(&mut rng)];
+        for place in &mut units {
+            for _ in 0..i % 4 {
+                // A quarter of a turn around the middle of a window of 20 x 20.
+                *place = (20 * PX - place.1, place.0);
+            }
+        }
+        let closed = rng.one_in(2);
+        let lengths = [rng.int(200, 9_000), rng.int(200, 3_000)];
+        let pattern = Pattern { lengths: lengths.to_vec(), phase: rng.int(-20_000, 20_000) };
+        let wanted = dashes_near(&[polyline(&units, closed)], pen, &pattern, window);
+        let mut path: Vec<Piece> = units.iter().map(|&p| Piece::Line(p)).collect();
+        path[0] = Piece::Move(units[0]);
+        path.extend(closed.then_some(Piece::Close));
+        let got = dashed_pixels(&path, pen, &pattern, window);
+        assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
+        let lengths = lengths.map(I24F8::from_bits);
+        let (places, stroke) = (vertices(&units), stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase)));
+        let mut table = vec![EdgeSlot::EMPTY; 1_000];
+        let got = collect(window, |emit| {
+            thick::fill_polyline(&places, closed, &stroke, &mut table, window, emit).expect("enough slots");
+        });
+        assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} closed {closed} {units:?}"));
+        tips += usize::from(!wanted.is_empty());
+    }
+    assert!(tips * 10 > cases(6_000), "only {tips} tips were seen");
+}
+
 /// A dash ends out of sight on a curve that comes back: the next one does not begin with a join to it.
 #[test]
 fn dashes_that_end_out_of_sight() {

@@ -67,16 +67,34 @@ const SHORT_CUTS: bool = !COMPACT;
 /// assert_eq!(spans, [(0, 6), (0, 2), (4, 6), (0, 2), (4, 6), (0, 6)]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
+#[inline]
 #[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
 pub fn fill<C>(
     contours: C,
     rule: FillRule,
     table: &mut [EdgeSlot],
     window: Rect,
-    mut sink: impl Sink,
+    sink: impl Sink,
 ) -> Result<(), EdgeTableFull>
 where
     C: IntoIterator + Clone,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    fill_bands(|_| contours.clone(), rule, table, window, sink)
+}
+
+/// As [`fill`]. The contours are asked for by the part of the window that they are to be filled in: they may lack whatever does
+/// not touch its rows.
+pub(crate) fn fill_bands<C>(
+    contours: impl Fn(Rect) -> C,
+    rule: FillRule,
+    table: &mut [EdgeSlot],
+    window: Rect,
+    mut sink: impl Sink,
+) -> Result<(), EdgeTableFull>
+where
+    C: IntoIterator,
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
@@ -86,7 +104,8 @@ where
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
-    let whole = load(contours.clone(), window.y0, window.y1, table);
+    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| load(contours(Rect { y0, y1, ..window }), y0, y1, table);
+    let whole = load(window.y0, window.y1, table);
     if whole.count <= table.len() {
         scan(table, &whole, rule, window, &mut sink);
         return Ok(());
@@ -98,7 +117,7 @@ where
         while y < whole.end {
             rows = shared(rows, table.len(), count);
             let end = y.saturating_add(rows).min(whole.end);
-            let band = load(contours.clone(), y, end, table);
+            let band = load(y, end, table);
             (rows, count) = (end.wrapping_sub(y), band.count);
             if count > table.len() {
                 if rows == 1 {
@@ -163,8 +182,12 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
+    #[cfg(test)]
+    crate::num::tally::add(crate::num::tally::Work::Band);
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
     let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Edge);
         let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
         if y >= end {
             return;

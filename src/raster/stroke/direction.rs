@@ -7,13 +7,13 @@ use crate::{
     num::{
         cast::{low_u32, narrow, signed},
         root::square_root,
-        round::{difference, div_rem_wide},
+        round::div_rem_wide,
     },
 };
 
 /// A vector of length 1 (and a little more), in units of 2^-30.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Direction {
+pub(super) struct Direction {
     pub(crate) x: i32,
     pub(crate) y: i32,
 }
@@ -21,23 +21,16 @@ pub struct Direction {
 impl Direction {
     pub(crate) const RIGHT: Self = Self { x: 1 << 30, y: 0 };
 
-    /// From a to b, and the distance in units of 2^-16 pixel, rounded down; `None` if they are the same place.
+    /// From a to b; `None` if they are the same place.
     #[inline(never)]
-    pub(crate) fn between(a: PointFx, b: PointFx) -> Option<(Self, u64)> {
-        let (a, b) = (bits(a), bits(b));
-        let (dx, dy) = (difference(b.0, a.0), difference(b.1, a.1));
-        let zeros = (dx.unsigned_abs() | dy.unsigned_abs()).leading_zeros();
-        // So that the larger component has 31 bits.
-        let scaled = |d: u64| if zeros < 33 { d >> 1 } else { d << (zeros.wrapping_sub(33) & 63) };
-        let (x, y) = (scaled(dx.unsigned_abs()), scaled(dy.unsigned_abs()));
-        let length = NonZeroU32::new(square_root(x.wrapping_mul(x).wrapping_add(y.wrapping_mul(y))))?;
-        let share = |n: u64, sign: i64| {
-            let (q, r) = div_rem_wide(n << 30, length);
-            with_sign(q.wrapping_add(u32::from(r != 0)), sign)
+    pub(crate) fn between(a: PointFx, b: PointFx) -> Option<Self> {
+        let Difference { x, y, length, is_left, is_up, .. } = Difference::between(a, b);
+        let length = NonZeroU32::new(length)?;
+        let share = |n: u32, back: bool| {
+            let (q, r) = div_rem_wide(u64::from(n) << 30, length);
+            with_sign(q.wrapping_add(u32::from(r != 0)), if back { -1 } else { 1 })
         };
-        let long = u64::from(length.get()) << 8;
-        let distance = if zeros < 33 { long << 1 } else { long >> (zeros.wrapping_sub(33) & 63) };
-        Some((Self { x: share(x, dx), y: share(y, dy) }, distance))
+        Some(Self { x: share(x, is_left), y: share(y, is_up) })
     }
 
     /// Turned to the right, as the screen shows it.
@@ -73,6 +66,43 @@ impl Direction {
             with_sign(low_u32(product.wrapping_add((1 << 31) - 1) >> 31), i64::from(n))
         };
         (half(self.x), half(self.y))
+    }
+}
+
+/// By less than so many units a place along a side, at a distance not above its length, is beside the line, or behind its end:
+/// as a direction is rounded, up to 2^-30 of a distance that has up to 41 bits.
+pub(crate) const OVERSHOT: u32 = 8;
+
+/// How far two places are from each other, in units of 2^-16 pixel, rounded down. It takes a third of what the direction does.
+#[inline(never)]
+pub(crate) fn distance(a: PointFx, b: PointFx) -> u64 {
+    let Difference { length, zeros, .. } = Difference::between(a, b);
+    (u64::from(length) << 9).wrapping_shr(zeros)
+}
+
+/// The difference of two places, scaled so that the larger component has 31 bits.
+struct Difference {
+    x: u32,
+    y: u32,
+    is_left: bool,
+    is_up: bool,
+    /// Of (x, y), rounded down.
+    length: u32,
+    /// Before it was scaled, the larger component had so many bits less than 32.
+    zeros: u32,
+}
+
+impl Difference {
+    #[inline(never)]
+    fn between(a: PointFx, b: PointFx) -> Self {
+        let (a, b) = (bits(a), bits(b));
+        let (x, y) = (a.0.abs_diff(b.0), a.1.abs_diff(b.1));
+        let zeros = (x | y).leading_zeros();
+        let scaled = |n: u32| n.wrapping_shl(zeros) >> 1;
+        let (x, y) = (scaled(x), scaled(y));
+        let square = |n: u32| u64::from(n).wrapping_mul(u64::from(n));
+        let length = square_root(square(x).wrapping_add(square(y)));
+        Self { x, y, is_left: b.0 < a.0, is_up: b.1 < a.1, length, zeros }
     }
 }
 

@@ -21,26 +21,29 @@
 //!
 //! Between the lines that a curve was cut into, joins are always round. Mostly such a join is one triangle without a fan.
 //!
-//! **Work.** Pieces outside of the window are left out, and curves are followed only near it, so work depends on what is
-//! visible. Nothing is stored: the pieces are found anew for every band of rows that the edge table has room for.
+//! **Work.** Pieces outside of the window are left out, and curves are followed only near it: a few comparisons for each segment
+//! of the path or side of the lines, and work for what is visible. Nothing is stored: when the edge table has no room for the
+//! whole stroke, each band of rows is a window of its own, so the comparisons are made for each band, and the pieces of a band
+//! are made for it and no other. Dashes need lengths besides: see [`Stroke::dashed`].
 //!
 //! Range: any `I24F8`; widths from 0 to 65,536 pixels, miter limits to 255.
 
+mod cut;
 mod dash;
 mod direction;
 mod pen;
 mod sides;
 mod style;
+#[cfg(test)]
+mod work;
 
 pub use self::{
+    cut::Dashing,
     dash::Dash,
-    pen::{Dashing, Piece},
+    pen::Piece,
     style::{Cap, Join, Stroke},
 };
-use self::{
-    pen::Pen,
-    sides::{Pieces, Polyline, Sides},
-};
+use self::{cut::Ready, pen::Pen, sides::Polyline};
 use super::{
     outline,
     polygon::{self, EdgeSlot},
@@ -66,7 +69,7 @@ pub fn fill<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    polygon::fill(stroke.of_path(path, window), FillRule::NonZero, table, window, sink)
+    polygon::fill_bands(|band| stroke.of_path(path, band), FillRule::NonZero, table, window, sink)
 }
 
 /// Emits the spans of stroked lines: from each place to the next, and back to the first one if they are `closed`.
@@ -82,7 +85,7 @@ pub fn fill_polyline<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    polygon::fill(stroke.of_polyline(places, closed, window), FillRule::NonZero, table, window, sink)
+    polygon::fill_bands(|band| stroke.of_polyline(places, closed, band), FillRule::NonZero, table, window, sink)
 }
 
 /// A box that encloses the pixels of a stroked path: that of the path, with as much around it as a join or a cap may reach.
@@ -106,8 +109,9 @@ impl<D: Dashing> Stroke<D> {
     /// by [`NonZero`](crate::FillRule::NonZero).
     pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = Pen::new(&self, window);
-        let contours = if D::LENGTH_MATTERS { path.contours() } else { path.contours_near(window, pen.reach) };
-        let stroke = move |contour| Pieces::new(self.dash.cut(Sides::new(contour, pen.view), pen), pen);
+        let contours = path.contours_near(window, pen.reach);
+        let cut = self.dash.ready(pen.width);
+        let stroke = move |contour| cut.pieces(contour, pen);
         OneByOne { contours, stroke, parts: None }
     }
 
@@ -119,8 +123,7 @@ impl<D: Dashing> Stroke<D> {
         window: Rect,
     ) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
         let pen = Pen::new(&self, window);
-        let sides = Sides::new(Polyline { places: places.iter(), closed }, pen.view);
-        Pieces::new(self.dash.cut(sides, pen), pen)
+        self.dash.ready(pen.width).pieces(Polyline { places: places.iter(), closed }, pen)
     }
 }
 

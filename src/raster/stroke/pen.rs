@@ -7,22 +7,17 @@ use super::{
     style::{Cap, Join, Stroke},
 };
 use crate::{
-    geom::{PointFx, View},
+    geom::{bits, PointFx, View},
     num::{
         cast::{low_u32, magnitude, unsigned},
-        round::div_rem_wide,
+        round::{difference, div_rem_wide},
     },
     span::Rect,
 };
 
-/// What cuts a stroke into dashes, or leaves it alone: `()` or a [`Dash`](super::Dash).
-pub trait Dashing: Cut {}
-
-impl<D: Cut> Dashing for D {}
-
 /// What happens along a contour.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Event {
+pub(super) enum Event {
     /// A side.
     Side {
         /// Where it starts.
@@ -44,31 +39,13 @@ pub enum Event {
 
 /// What a side begins with.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Start {
+pub(super) enum Start {
     /// A corner, or the end of a stroke.
     Corner,
     /// A place inside of a curve.
     Smooth,
     /// The start of a closed contour.
     Ring,
-}
-
-/// What [`Dashing`] does, where users of the crate do not see it.
-pub trait Cut: Copy {
-    /// Whether sides outside of the window must be followed all the same, as their length matters.
-    const LENGTH_MATTERS: bool;
-    /// Cuts sides.
-    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, pen: Pen) -> impl Iterator<Item = Event> + Clone;
-}
-
-/// No dashes.
-impl Cut for () {
-    const LENGTH_MATTERS: bool = false;
-
-    #[inline]
-    fn cut<S: Iterator<Item = Event> + Clone>(self, sides: S, _: Pen) -> impl Iterator<Item = Event> + Clone {
-        sides
-    }
 }
 
 /// For widths up to the first number: cosine and sine, times 2^30, of the turn from one vertex of a fan to the next. The turns are
@@ -96,9 +73,40 @@ pub struct Pen {
     turn: (i32, i32),
     /// How far from its line it may paint.
     pub(super) reach: u32,
-    pub(super) view: View,
-    /// The same for what is no tip of a miter: as far as a side, a cap, or a join without a tip may paint.
-    near: View,
+    pub(super) sight: Sight,
+}
+
+/// Which parts of a stroke a window can show.
+#[derive(Copy, Clone, Debug)]
+pub struct Sight {
+    /// The window, and as much around it as a side, a cap, or a join without a tip may reach.
+    pub(super) near: View,
+    /// The window, and as much around it as the tip of a miter may reach. Tips stand at corners, nowhere else.
+    corners: View,
+}
+
+impl Sight {
+    /// With so many units more around the window.
+    pub(super) fn wider(self, units: u32) -> Self {
+        Self { near: self.near.wider(units), corners: self.corners.wider(units) }
+    }
+
+    /// Whether what lies around two places, but for tips of miters, cannot be seen.
+    pub(super) fn hides(&self, a: PointFx, b: PointFx) -> bool {
+        self.near.hides(a, b, 0)
+    }
+
+    /// Whether a join cannot be seen, whatever its kind.
+    pub(super) fn hides_corner(&self, v: PointFx) -> bool {
+        self.corners.hides(v, v, 0)
+    }
+
+    /// A lower bound for the distance of a place from what can be seen, but for tips of miters, in units of 2^-16 pixel.
+    pub(super) fn beside(&self, v: PointFx) -> u64 {
+        let ((x, y), [(x0, y0), (x1, y1)]) = (bits(v), self.near.corners());
+        let beside = |n: i32, low: i32, high: i32| difference(low, n).max(difference(n, high));
+        magnitude(beside(x, x0, x1).max(beside(y, y0, y1)).max(0)) << 8
+    }
 }
 
 impl Pen {
@@ -110,20 +118,14 @@ impl Pen {
         // Half the width for round joins, times the root of 2 for the corners of a square cap, the limit for a miter.
         let far = if matches!(stroke.join, Join::Miter) { limit.max(384) } else { 384 };
         let reach = |far: u32| low_u32(u64::from(width).wrapping_mul(u64::from(far)) >> 9).wrapping_add(2);
-        let (near, reach) = (View::of(window, reach(384)), reach(far));
-        let view = View::of(window, reach);
-        Self { width, cap: stroke.cap, join: stroke.join, limit: limit.wrapping_mul(limit), turn, reach, view, near }
-    }
-
-    /// Whether what lies around two places, but for tips of miters, cannot be seen. The limit of miters is for tips: the view has
-    /// room for the longest one that it allows.
-    fn hides(&self, a: PointFx, b: PointFx) -> bool {
-        self.near.hides(a, b, 0)
+        let (near, reach) = (reach(384), reach(far));
+        let sight = Sight { near: View::of(window, near), corners: View::of(window, reach) };
+        Self { width, cap: stroke.cap, join: stroke.join, limit: limit.wrapping_mul(limit), turn, reach, sight }
     }
 
     #[inline(never)]
     pub(super) fn side(&self, a: PointFx, b: PointFx, u: Direction) -> Option<Piece> {
-        if self.hides(a, b) {
+        if self.sight.hides(a, b) {
             return None;
         }
         let (right, left) = (u.right().offset(self.width), u.right().back().offset(self.width));
@@ -137,7 +139,7 @@ impl Pen {
         let (r, l) = (right.offset(self.width), left.offset(self.width));
         match self.cap {
             Cap::Butt => None,
-            Cap::Square if self.hides(at, at) => None,
+            Cap::Square if self.sight.hides(at, at) => None,
             Cap::Square => {
                 // The offset to the right, turned to the left, points ahead.
                 let ahead = (r.1, l.0);
@@ -158,7 +160,7 @@ impl Pen {
     ) -> Option<Piece> {
         let (last, next) = (last?, next?);
         let turn = last.cross(next);
-        if turn == 0 && last.dot(next) > 0 || self.view.hides(at, at, 0) {
+        if turn == 0 && last.dot(next) > 0 || self.sight.hides_corner(at) {
             return None;
         }
         // On the outer side of the corner, in the order in which the piece turns left, as all pieces do.
@@ -170,7 +172,7 @@ impl Pen {
     #[inline(never)]
     fn wedge(&self, at: PointFx, from: Direction, to: Direction, join: Join) -> Option<Piece> {
         let tip = if join == Join::Miter { self.tip(from, to).map(|tip| moved(at, tip)) } else { None };
-        if self.hides(at, tip.unwrap_or(at)) {
+        if self.sight.hides(at, tip.unwrap_or(at)) {
             return None;
         }
         let [start, end] = [from, to].map(|o| moved(at, o.offset(self.width)));

@@ -4,28 +4,67 @@ use core::slice;
 
 use super::{
     direction::Direction,
-    pen::{Event, Pen, Piece, Start},
+    pen::{Event, Pen, Piece, Sight, Start},
 };
 use crate::geom::{
-    flatten::{Contour, Knot},
-    PointFx, View,
+    flatten::{Contour, Front, Knot},
+    PointFx,
 };
 
 /// Something that is a list of places.
-pub(super) trait Outline: Clone {
-    fn next_knot(&mut self) -> Option<Knot>;
+pub trait Outline: Clone {
+    /// The next place, and whether the path is smooth there.
+    fn next_place(&mut self) -> Option<(PointFx, bool)>;
+    /// Whether there is a side from the last place to the first.
     fn is_closed(&self) -> bool;
+    /// Whether it may have a corner at a place, though the knot there is smooth.
+    fn ends_at(&self, v: PointFx) -> bool;
+    /// The same up to the last part of it that can be seen: what is left out does not change what is seen. Curves are followed
+    /// `everywhere` or where they can be seen.
+    fn front(self, sight: Sight, everywhere: bool) -> impl Outline;
 }
 
 impl Outline for Contour<'_> {
     #[inline]
-    fn next_knot(&mut self) -> Option<Knot> {
-        self.next_knot()
+    fn next_place(&mut self) -> Option<(PointFx, bool)> {
+        self.next_knot().map(|Knot { at, smooth }| (at, smooth))
     }
 
     #[inline]
     fn is_closed(&self) -> bool {
         self.is_closed()
+    }
+
+    #[inline]
+    fn ends_at(&self, v: PointFx) -> bool {
+        self.ends_at(v)
+    }
+
+    #[inline]
+    fn front(self, sight: Sight, everywhere: bool) -> impl Outline {
+        self.front(sight.near, everywhere, |v| sight.hides_corner(v))
+    }
+}
+
+impl Outline for Front<'_> {
+    #[inline]
+    fn next_place(&mut self) -> Option<(PointFx, bool)> {
+        self.next_knot().map(|Knot { at, smooth }| (at, smooth))
+    }
+
+    #[inline]
+    fn is_closed(&self) -> bool {
+        self.is_closed()
+    }
+
+    #[inline]
+    fn ends_at(&self, v: PointFx) -> bool {
+        self.ends_at(v)
+    }
+
+    #[inline]
+    fn front(self, _: Sight, _: bool) -> impl Outline {
+        self
     }
 }
 
@@ -38,13 +77,30 @@ pub(super) struct Polyline<'a> {
 
 impl Outline for Polyline<'_> {
     #[inline]
-    fn next_knot(&mut self) -> Option<Knot> {
-        self.places.next().map(|&at| Knot { at, smooth: false })
+    fn next_place(&mut self) -> Option<(PointFx, bool)> {
+        self.places.next().map(|&at| (at, false))
     }
 
     #[inline]
     fn is_closed(&self) -> bool {
         self.closed
+    }
+
+    #[inline]
+    fn ends_at(&self, _: PointFx) -> bool {
+        true
+    }
+
+    fn front(self, sight: Sight, _: bool) -> impl Outline {
+        let places = self.places.as_slice();
+        let hides = |a: PointFx, b: PointFx| sight.hides(a, b) && sight.hides_corner(a) && sight.hides_corner(b);
+        let [first, .., last] = *places else { return self };
+        if self.closed && !hides(last, first) {
+            return self;
+        }
+        let seen = places.windows(2).rposition(|side| matches!(*side, [a, b] if !hides(a, b)));
+        let len = seen.map_or(0, |side| side.wrapping_add(2));
+        Self { places: places.get(..len).unwrap_or_default().iter(), closed: false }
     }
 }
 
@@ -52,7 +108,7 @@ impl Outline for Polyline<'_> {
 #[derive(Clone, Debug)]
 pub(super) struct Sides<O> {
     outline: O,
-    view: View,
+    sight: Sight,
     start: PointFx,
     last: Option<Knot>,
     /// Whether there was a side.
@@ -61,11 +117,11 @@ pub(super) struct Sides<O> {
 
 impl<O: Outline> Sides<O> {
     #[inline]
-    pub(super) fn new(outline: O, view: View) -> Self {
-        Self { outline, view, start: PointFx::from_bits(0, 0), last: None, moved: false }
+    pub(super) fn new(outline: O, sight: Sight) -> Self {
+        Self { outline, sight, start: PointFx::from_bits(0, 0), last: None, moved: false }
     }
 
-    fn side(&mut self, from: Knot, b: PointFx) -> Event {
+    fn side(&mut self, from: Knot, to: Knot) -> Event {
         let ring = !self.moved && self.outline.is_closed();
         let start = match from.smooth {
             _ if ring => Start::Ring,
@@ -73,8 +129,11 @@ impl<O: Outline> Sides<O> {
             false => Start::Corner,
         };
         self.moved = true;
-        let a = from.at;
-        let u = if self.view.hides(a, b, 0) { None } else { Direction::between(a, b).map(|(u, _)| u) };
+        let (a, b) = (from.at, to.at);
+        let no_tip = |smooth: bool, v: PointFx| smooth || self.sight.hides_corner(v);
+        let hidden =
+            self.sight.hides(a, b) && no_tip(from.smooth, a) && no_tip(to.smooth && !self.outline.ends_at(b), b);
+        let u = if hidden { None } else { Direction::between(a, b) };
         Event::Side { a, b, u, start }
     }
 }
@@ -84,10 +143,11 @@ impl<O: Outline> Iterator for Sides<O> {
 
     #[inline(never)]
     fn next(&mut self) -> Option<Event> {
-        while let Some(node) = self.outline.next_knot() {
+        while let Some((at, smooth)) = self.outline.next_place() {
+            let node = Knot { at, smooth };
             match self.last.replace(node) {
                 None => self.start = node.at,
-                Some(last) if last.at != node.at => return Some(self.side(last, node.at)),
+                Some(last) if last.at != node.at => return Some(self.side(last, node)),
                 // The same place again makes no side. It is smooth if both are.
                 Some(last) => self.last = Some(Knot { smooth: node.smooth && last.smooth, ..node }),
             }
@@ -95,8 +155,9 @@ impl<O: Outline> Iterator for Sides<O> {
         let last = self.last.take()?;
         let closed = self.outline.is_closed();
         if closed && last.at != self.start {
-            self.last = Some(Knot { at: self.start, smooth: false });
-            return Some(self.side(last, self.start));
+            let start = Knot { at: self.start, smooth: false };
+            self.last = Some(start);
+            return Some(self.side(last, start));
         }
         Some(match closed {
             _ if !self.moved => Event::Dot(self.start),
