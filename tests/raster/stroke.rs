@@ -183,6 +183,56 @@ fn lines_are_rectangles() {
     }
 }
 
+/// The borders of a side are as far from each other as it is wide, or up to 2 sqrt(2) units and a 2^28th farther: measured across
+/// the side, in every direction, in integers.
+#[test]
+fn a_side_is_as_thick_as_it_is_wide() {
+    let mut rng = Rng::new(517);
+    let window = Rect::new(-(1 << 23), -(1 << 23), 1 << 23, 1 << 23);
+    let (mut most, mut least) = (0.0_f64, f64::MAX);
+    for i in 0..cases(400_000) {
+        let far = 1_i32 << rng.int(0, 30);
+        let (x, y) = (rng.int(-far, far), rng.int(-far, far));
+        let hair = rng.int(-3, 3);
+        let d = match i % 4 {
+            // Near 45 degrees, and near the axes.
+            0 => (x, rng.pick(&[x, -x]).saturating_add(hair)),
+            1 => rng.pick(&[(x, hair), (hair, y)]),
+            _ => (x, y),
+        };
+        // Half a width fits beside both ends.
+        let end = i32::MAX - (1 << 24);
+        let mut a = (rng.int(-end, end), rng.int(-end, end));
+        let mut b = (a.0.saturating_add(d.0).clamp(-end, end), a.1.saturating_add(d.1).clamp(-end, end));
+        if i % 4 == 3 {
+            b = (rng.int(-end, end), rng.int(-end, end));
+            a = rng.pick(&[a, (b.1, b.0), (-b.0, -b.1), (-end, -end)]);
+        }
+        if a == b {
+            continue;
+        }
+        let width = rng.int(0, 1 << 24) >> rng.int(0, 24);
+        let stroke = Stroke::new(I24F8::from_bits(width));
+        let corners: Vec<PointFx> =
+            stroke.of_polyline(&vertices(&[a, b]), false, window).next().expect("a side").collect();
+        let [p, _, _, q] = corners[..] else { panic!("{corners:?}") };
+        let bits = |v: PointFx| (i128::from(v.x.to_bits()), i128::from(v.y.to_bits()));
+        // The thickness is `across / |d|`.
+        let ((px, py), (qx, qy)) = (bits(p), bits(q));
+        let (dx, dy) = (twins::wide(b).0 - twins::wide(a).0, twins::wide(b).1 - twins::wide(a).1);
+        let (across, square, w) = ((dx * (py - qy) - dy * (px - qx)).abs(), dx * dx + dy * dy, i128::from(width));
+        assert!(across * across >= w * w * square, "thinner than {width}: {a:?} {b:?} {corners:?}");
+        // |d| times 2^scale, rounded up to a whole number of 63 bits; and 2^28 sqrt(8), rounded down.
+        let scale = (square.leading_zeros() - 2) / 2;
+        let length = (square << (2 * scale)).isqrt() + 1;
+        let limit = (w << 28) + w + 759_250_124;
+        assert!(across << scale << 28 <= limit * length, "thicker than {width}: {a:?} {b:?} {corners:?}");
+        let excess = across as f64 / (square as f64).sqrt() - f64::from(width);
+        (most, least) = (most.max(excess), least.min(excess));
+    }
+    assert!(most > 2.7 && least < 0.01, "{least} to {most} units thicker");
+}
+
 /// How many pieces the pixels fall into, corners counting as neighbours.
 fn islands(runs: &[Run]) -> usize {
     let mut left: HashSet<(i32, i32)> = runs.iter().flat_map(|r| (r.1..r.2).map(|x| (x, r.0))).collect();

@@ -13,11 +13,11 @@
 //! **The rule.** Let d be the difference of both ends of a side. Its components are doubled until the larger one has 31 bits (or
 //! halved, if it has 32). The direction is `u = 2^30 d / floor(|d|)`, in units of 2^-30, where `|d|` is the length; an offset is
 //! `w u / 2^31`. Both are rounded away from zero, each component by itself. A stroke is therefore never thinner than its width
-//! and at most `2 sqrt(2)` units (1/90 pixel) thicker, near 45 degrees, and one that is a pixel wide stays connected at any
-//! angle. The *tip* of a miter is `w (p + q) / (2 (1 + p q))` for directions p and q, rounded to nearest; where `2 / (1 + p
-//! q)` is more than the square of the limit, the join is a bevel. A *fan* turns by `1 / 2^j` of a circle from its first offset
-//! on, where j is the least from 3 to 11 with `12 * 4^j >= w`: then its chords are within 1/8 pixel of the circle. Vertices
-//! stop at the ends of `i32`.
+//! and at most `2 sqrt(2)` units (1/90 pixel) thicker, near 45 degrees, and 2^-28 of its width, which is 1/16 unit at most. One
+//! that is a pixel wide stays connected at any angle. The *tip* of a miter is `w (p + q) / (2 (1 + p q))` for directions p and q,
+//! rounded to nearest; where `2 / (1 + p q)` is more than the square of the limit, the join is a bevel. A *fan* turns by `1 / 2^j`
+//! of a circle from its first offset on, where j is the least from 3 to 11 with `12 * 4^j >= w`: then its chords are within 1/8
+//! pixel of the circle. Vertices stop at the ends of `i32`.
 //!
 //! Between the lines that a curve was cut into, joins are always round. Mostly such a join is one triangle without a fan.
 //!
