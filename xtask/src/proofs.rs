@@ -77,15 +77,10 @@ fn callers_of_panics(assembly: &str) -> String {
     for line in assembly.lines() {
         if let Some(name) = line.strip_suffix(">:").and_then(|line| line.split_once('<')) {
             function = name.1;
-        } else if ["core::", "rust_begin_unwind"]
-            .iter()
-            .any(|part| function.contains(part) && !function.starts_with('<'))
-        {
-            continue;
-        } else if ["core::panicking::", "unwrap_failed", "expect_failed", "_fail>"]
-            .iter()
-            .any(|what| line.contains(what))
-        {
+        }
+        let is_core = function.contains("rust_begin_unwind") || function.starts_with("core::");
+        let panics = ["core::panicking::", "unwrap_failed", "expect_failed", "_fail>"];
+        if !is_core && !line.ends_with(">:") && panics.iter().any(|what| line.contains(what)) {
             names.insert(format!("    {function}\n"));
         }
     }

@@ -19,13 +19,12 @@ use embedded_raster::{
     },
     pixel::{Be, Lsb0},
     surface::{Pages, Rows},
-    Angle, FillRule, Frame, Index4, Index8, Palette, Path, PathSegment, PixelFormat, PointFx, Rect,
+    Angle, FillRule, Frame, Index1, Index4, Index8, Palette, Path, PathSegment, PixelFormat, PointFx, Rect,
 };
 #[cfg(not(target_os = "none"))]
 use embedded_raster::{
     pixel::{Rgb444, Xrgb8888},
     surface::{Packed12, Planes},
-    Index1,
 };
 use fixed::types::{I16F16, I24F8};
 
