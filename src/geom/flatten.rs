@@ -231,9 +231,11 @@ impl Front<'_> {
     /// Takes a few comparisons a segment.
     fn leave_out(&mut self, hides_corner: impl Fn(PointFx) -> bool) {
         let contour = &mut self.contour;
-        let (start, mut at, mut seen) = (contour.at, contour.at, 0);
+        let (start, mut at) = (contour.at, contour.at);
+        let (mut count, mut seen) = (0_usize, 0);
         let segments = contour.segments.as_slice();
-        for (i, segment) in segments.iter().enumerate() {
+        for segment in segments {
+            count = count.wrapping_add(1);
             let (c, d, to) = match *segment {
                 PathSegment::LineTo(to) => (to, to, to),
                 PathSegment::QuadraticTo(c, to) => (c, c, to),
@@ -241,7 +243,7 @@ impl Front<'_> {
                 PathSegment::MoveTo(_) | PathSegment::Close => (start, start, start),
             };
             if !(self.view.misses(&[at, c, d, to]) && hides_corner(at) && hides_corner(to)) {
-                seen = i.wrapping_add(1);
+                seen = count;
             }
             at = to;
         }

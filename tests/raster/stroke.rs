@@ -186,6 +186,7 @@ fn lines_are_rectangles() {
 /// The borders of a side are as far from each other as it is wide, or up to 2 sqrt(2) units and a 2^28th farther: measured across
 /// the side, in every direction, in integers.
 #[test]
+#[expect(clippy::cast_precision_loss, reason = "only to say how near to the limit it comes")]
 fn a_side_is_as_thick_as_it_is_wide() {
     let mut rng = Rng::new(517);
     let window = Rect::new(-(1 << 23), -(1 << 23), 1 << 23, 1 << 23);

@@ -154,9 +154,13 @@ impl<'a> Pattern<'a> {
             return u64::from(div_rem_wide(distance, period).1);
         }
         // The distance is below 2^12 periods.
-        (0..12)
-            .rev()
-            .fold(distance, |rest, n| if rest >> n >= self.period { rest.wrapping_sub(self.period << n) } else { rest })
+        (0..12).rev().fold(distance, |rest, n| {
+            if rest.wrapping_shr(n) >= self.period {
+                rest.wrapping_sub(self.period.wrapping_shl(n))
+            } else {
+                rest
+            }
+        })
     }
 
     /// Moves a place on by a distance of at most one period.
