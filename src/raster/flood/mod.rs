@@ -127,34 +127,35 @@ impl<F: FloodTarget> Flood<'_, F> {
         }
     }
 
+    /// The same when no slot is left.
     #[cold]
     #[inline(never)]
     fn put_in_full_table(&mut self, pending: FloodSlot) {
         self.missing = self.missing.saturating_add(1);
         self.uncleared = self.uncleared.saturating_add(1);
-        if !self.is_needed(pending, false) {
+        if !self.must_wait(pending, false) {
             return;
         }
-        // Not each time: a clear looks at all of the table.
+        // Not each time, as all of the table is looked at.
         if self.uncleared > self.waiting.table.len() / 2 {
             self.uncleared = 0;
             let full = core::mem::take(&mut self.waiting.len);
             for at in 0..full {
                 let slot = self.waiting.table.get(at).copied();
-                if let Some(slot) = slot.filter(|&slot| self.is_needed(slot, false)) {
+                if let Some(slot) = slot.filter(|&slot| self.must_wait(slot, false)) {
                     self.waiting.put(slot);
                 }
             }
         }
         if !self.waiting.put(pending) {
-            self.is_needed(pending, true);
+            self.must_wait(pending, true);
         }
     }
 
-    /// Whether a range has to wait: whether it has open pixels of which nobody knows if they are connected with those of a range
-    /// that waits. What is seen to be a small part of the region is painted. With `at_once`, larger parts are painted too, by a
-    /// walk along their walls, up to a range that waits.
-    fn is_needed(&mut self, pending: FloodSlot, at_once: bool) -> bool {
+    /// Does without a range where that is possible, and says whether it has to wait all the same: it has open pixels, and a few
+    /// steps do not lead from them to a range that waits. If the steps lead around a small part of the region, that is painted.
+    /// With `at_once`, a larger part is painted too, along its walls, up to a range that waits: then this one never has to.
+    fn must_wait(&mut self, pending: FloodSlot, at_once: bool) -> bool {
         let Self { region, waiting, .. } = self;
         let (y, (mut x, end)) = (pending.y, region.columns(pending));
         loop {

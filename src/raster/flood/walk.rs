@@ -30,13 +30,12 @@ use crate::span::Rect;
 /// The neighbours, clockwise from the right one: even numbers share a side.
 const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
 
-/// Steps along a wall after which the other walls are looked at, and steps that are then taken along each of them: a power of 2.
-/// Each second time there are twice as many steps, each fourth time four times as many, and so on: in any lap, about as many for
-/// each of these numbers as for any other.
+/// Every so many steps of a lap, the walker looks at the other walls, and follows each of them as many steps: a power of 2. Every
+/// second look goes twice as far, every fourth four times, and so on.
 const NEAR: u32 = 16;
 
-/// Steps of a walk that a painted pixel pays for. A walk that has taken more goes on, instead of leaving the rest to a range that
-/// it meets: otherwise one walk after the other might go the same way in vain.
+/// A walk may take so many steps for each pixel that it paints. Once it has taken more, it does not stop at a range that waits
+/// until it has painted enough: otherwise many walks might go the same long way and paint nothing.
 const PAID: u32 = 8;
 
 /// The pixels to paint, and where they may lie.
@@ -88,12 +87,12 @@ impl<F: FloodTarget> Region<'_, F> {
     }
 
     /// Paints the open pixels that are connected with the open pixel `at`; or some of them, until the walker stands on a pixel
-    /// that is connected with all the others, and that `is_found` says to leave to somebody else.
+    /// that `is_found`: what is left is connected with that one.
     #[inline(never)]
     pub(super) fn paint_along_walls(&mut self, at: (i32, i32), is_found: impl Fn(i32, i32) -> bool) {
         let mut walker = self.below_wall(at);
         let mut lap = Lap::new(walker);
-        // Steps that are paid for by pixels that were painted.
+        // Steps that it may still take.
         let mut paid = NEAR;
         loop {
             if paid > 0 && is_found(walker.x, walker.y) {
@@ -147,7 +146,7 @@ impl<F: FloodTarget> Region<'_, F> {
             if next == lap.start && lap.turns.wrapping_add(turn) > 0 || (next.x, next.y) == (walker.x, walker.y) {
                 return Seen::Closed;
             }
-            // In which direction it stood at first was a guess.
+            // The lap begins after the first step: before it, the direction was a guess.
             if lap.steps == 0 {
                 lap = Lap::new(next);
                 lap.steps = 1;
