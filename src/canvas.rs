@@ -217,13 +217,24 @@ pub trait Canvas: Surface {
         in_color(self, color, |window, brush| ellipse::enclosed(area, window, brush));
     }
 
-    /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle.
+    /// Paints a round point of any diameter: the pixels whose centres lie inside of the circle. Of a diameter in whole pixels
+    /// [`px`](crate::px) makes what is asked for.
     #[inline]
     fn fill_round_point_fx(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
         self.fill_ellipse_fx(Ellipse::splat(at, size), color);
     }
 
-    /// Paints a square point of any size: the pixels whose centres lie inside, those on the left and top sides included.
+    /// Paints a square point of any size: the pixels whose centres lie inside, those on the left and top sides included. Of a
+    /// size in whole pixels [`px`](crate::px) makes what is asked for.
+    /// ```
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+    /// use embedded_raster::{px, Canvas, Framebuffer};
+    /// let mut ram = [b'.'; 20];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
+    /// frame.fill_square_point_fx(Point::new(1, 1).into(), px(3), Gray8::new(b'#'));
+    /// assert_eq!(&ram, b"###..###..###.......");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
     #[inline]
     fn fill_square_point_fx(&mut self, at: PointFx, size: I24F8, color: Self::Color) {
         self.fill_area(ellipse::square(at, size), color);

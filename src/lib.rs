@@ -19,7 +19,7 @@ mod tune;
 
 pub use canvas::Canvas;
 pub use error::{BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangulateError};
-pub use geom::{fill_rule::FillRule, Angle, Path, PathSegment, PointFx, Viewport};
+pub use geom::{fill_rule::FillRule, px, Angle, Path, PathSegment, PointFx, Viewport};
 pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
 pub use raster::{
@@ -35,6 +35,7 @@ pub use surface::{Bitmap, Frame, Framebuffer, Layout, Readable, Surface};
 /// The crate whose points, sizes, rectangles and colours this one speaks, in the version that it speaks.
 pub use embedded_graphics_core;
 /// The crate whose `I24F8` are places and widths, in the version that fits: a program that takes it from here need not name one.
+/// Whole numbers become an `I24F8` by [`px`].
 pub use fixed;
 
 /// The program in the README is tested too.

@@ -10,6 +10,7 @@
 use embedded_graphics_core::geometry::Point;
 use embedded_raster::{
     geom::{delaunay, triangulate, triangulate::SideSlot},
+    px,
     raster::flood::{Connectivity, FloodSlot},
     Angle, Bitmap, Canvas, Cap, EdgeSlot, EdgeTableFull, Ellipse, Error, FillRule, Framebuffer, Index1, Join, Path,
     PathSegment,
@@ -190,12 +191,11 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     }
 
     fn ellipses(&mut self) {
-        let radius = I24F8::from_num;
         for (i, (x, y, rx, ry)) in
             [(60, 50, 12, 10), (190, 60, 14, 4), (80, 170, 3, 15), (180, 180, 16, 10)].into_iter().enumerate()
         {
             let centre = self.place((x, y));
-            self.page.fill_ellipse_fx(Ellipse::new(centre, radius(rx), radius(ry)), self.ink(i as i32));
+            self.page.fill_ellipse_fx(Ellipse::new(centre, px(rx), px(ry)), self.ink(i as i32));
         }
         self.page.draw_ellipse(self.area(2, 2, 62, 58), self.ink(6));
         self.page.draw_ellipse(self.area(2, 28, 62, 31), self.ink(7));
@@ -313,12 +313,12 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     fn dashes(&mut self) -> Result<(), EdgeTableFull> {
         let v = PointFx::from_bits;
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
-        let pattern = [9, 5, 2, 5].map(|n| I24F8::from_bits(n << 8));
-        let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, I24F8::ZERO);
+        let pattern = [9, 5, 2, 5].map(px);
+        let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, px(0));
         self.page.stroke_path_fx(Path::new(&wave), &stroke, self.table, self.ink(4))?;
         let [a, b] = self.places([(16, 224), (240, 224)]);
-        let pattern = [4, 4].map(|n| I24F8::from_bits(n << 8));
-        self.page.stroke_line_fx([a, b], &Stroke::px(2).dashed(&pattern, I24F8::ZERO), self.table, self.ink(1))
+        let pattern = [4, 4].map(px);
+        self.page.stroke_line_fx([a, b], &Stroke::px(2).dashed(&pattern, px(0)), self.table, self.ink(1))
     }
 
     /// A ring cut into triangles, which are made as regular as they can be.

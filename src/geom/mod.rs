@@ -32,6 +32,6 @@ pub use flatten::Contours;
 pub use outlines::Outlines;
 pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
-pub use point::PointFx;
+pub use point::{px, PointFx};
 pub(crate) use view::View;
 pub use viewport::Viewport;

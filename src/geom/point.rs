@@ -1,4 +1,4 @@
-//! [`PointFx`]: a place on the plane in 24.8.
+//! [`PointFx`]: a place on the plane in 24.8. [`px`]: a length in whole pixels.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
@@ -14,11 +14,10 @@ use crate::num::cast::saturate;
 /// `PointFx::from(point)` is the centre of that pixel.
 /// ```
 /// use embedded_graphics_core::geometry::Point;
-/// use embedded_raster::PointFx;
-/// use fixed::types::I24F8;
+/// use embedded_raster::{fixed::types::I24F8, px, PointFx};
 /// let corner = PointFx::px(3, -4);
 /// assert_eq!(corner, PointFx::from_bits(768, -1024));
-/// assert_eq!(corner, PointFx::new(I24F8::from_num(3), I24F8::from_num(-4)));
+/// assert_eq!(corner, PointFx::new(px(3), px(-4)));
 /// let centre = PointFx::from(Point::new(3, -4));
 /// assert_eq!(centre, PointFx::new(I24F8::from_num(3.5), I24F8::from_num(-3.5)));
 /// assert_eq!((corner.pixel(), centre.pixel()), (Point::new(3, -4), Point::new(3, -4)));
@@ -27,10 +26,9 @@ use crate::num::cast::saturate;
 /// Sums, differences and products are taken coordinate by coordinate. None of them overflows: a coordinate that would
 /// leave the range stops at its end. Products are rounded to the nearest 1/256, halves upwards.
 /// ```
-/// # use embedded_raster::PointFx;
-/// # use fixed::types::I24F8;
+/// # use embedded_raster::{fixed::types::I24F8, px, PointFx};
 /// let (a, b) = (PointFx::px(10, 20), PointFx::px(16, 40));
-/// assert_eq!(a + (b - a) * I24F8::from_num(0.25), PointFx::new(I24F8::from_num(11.5), I24F8::from_num(25)));
+/// assert_eq!(a + (b - a) * I24F8::from_num(0.25), PointFx::new(I24F8::from_num(11.5), px(25)));
 /// assert_eq!(PointFx::px(8_000_000, 0) + PointFx::px(8_000_000, 1), PointFx::new(I24F8::MAX, I24F8::ONE));
 /// assert_eq!(PointFx::from_bits(1, -1) * I24F8::from_num(0.5), PointFx::from_bits(1, 0));
 /// ```
@@ -40,6 +38,22 @@ pub struct PointFx {
     pub x: I24F8,
     /// Down.
     pub y: I24F8,
+}
+
+/// Whole pixels, wherever an `I24F8` is asked for: widths, radii, diameters, lengths of dashes, coordinates. Stops at the ends of
+/// the range.
+/// ```
+/// use embedded_raster::{fixed::types::I24F8, px, Ellipse, PointFx, Stroke};
+/// const DASHES: [I24F8; 2] = [px(6), px(3)];
+/// let dashed = Stroke::px(2).dashed(&DASHES, px(0));
+/// let disc = Ellipse::circle(PointFx::px(40, 30), px(12));
+/// assert_eq!(px(3), I24F8::from_num(3));
+/// assert_eq!(px(3) / 2, I24F8::from_num(1.5));
+/// assert_eq!([px(i32::MAX), px(i32::MIN)], [I24F8::MAX, I24F8::MIN]);
+/// ```
+#[inline]
+pub const fn px(pixels: i32) -> I24F8 {
+    I24F8::from_bits(saturate((pixels as i64) << 8))
 }
 
 impl PointFx {
@@ -54,7 +68,7 @@ impl PointFx {
     /// For the centre of a pixel see [`centre_of`](Self::centre_of).
     #[inline]
     pub const fn px(x: i32, y: i32) -> Self {
-        Self::from_bits(saturate((x as i64) << 8), saturate((y as i64) << 8))
+        Self { x: px(x), y: px(y) }
     }
 
     /// A place in units of 1/256 pixel.

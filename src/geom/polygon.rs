@@ -204,13 +204,12 @@ impl defmt::Format for Crossing {
 /// # Errors
 /// [`CrossingListFull`] if there are more than `N`.
 /// ```
-/// use embedded_raster::{geom::polygon::crossings, CrossingListFull, PointFx};
-/// use fixed::types::I24F8;
+/// use embedded_raster::{geom::polygon::crossings, px, CrossingListFull, PointFx};
 /// let letter_v = [(0, 0), (3, 0), (5, 6), (7, 0), (10, 0), (5, 9)].map(|(x, y)| PointFx::px(x, y));
-/// let found = crossings::<_, 4>([&letter_v], I24F8::from_num(3))?;
+/// let found = crossings::<_, 4>([&letter_v], px(3))?;
 /// let x: Vec<f32> = found.iter().map(|crossing| crossing.x.to_num()).collect();
 /// assert_eq!(x, [1.66796875, 4.0, 6.0, 8.33203125]);
-/// let error = crossings::<_, 1>([&letter_v], I24F8::from_num(3)).unwrap_err();
+/// let error = crossings::<_, 1>([&letter_v], px(3)).unwrap_err();
 /// assert_eq!(error, CrossingListFull { capacity: 1, needed: 4 });
 /// # Ok::<(), CrossingListFull>(())
 /// ```

@@ -41,6 +41,14 @@ use crate::{
 /// assert_eq!(view.to_screen(I16F16::ZERO, I16F16::ZERO), PointFx::px(160, 120));
 /// assert_eq!(view.to_plane(PointFx::px(240, 240)), [one / 2, -one]);
 /// ```
+/// Whole numbers go in as they are: a hundred samples of a converter of 12 bits, the largest at the top.
+/// ```
+/// use embedded_raster::{geom::Viewport, Rect, PointFx};
+/// let chart = Viewport::from_bits([0, 0], [100, 4096], Rect::new(10, 10, 310, 138)).with_y_up();
+/// assert_eq!(chart.bits_to_screen([0, 0]), PointFx::px(10, 138));
+/// assert_eq!(chart.bits_to_screen([50, 3072]), PointFx::px(160, 42));
+/// assert_eq!(chart.to_plane_bits(PointFx::px(310, 10)), [100, 4096]);
+/// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Viewport {
@@ -67,7 +75,7 @@ impl Viewport {
         Self::from_bits(low.map(I16F16::to_bits), high.map(I16F16::to_bits), area)
     }
 
-    /// [`new`](Self::new) for corners in any unit.
+    /// [`new`](Self::new) for corners in any unit: whole numbers, too.
     #[inline]
     pub fn from_bits(low: [i32; 2], high: [i32; 2], area: Rect) -> Self {
         let (upper, lower) = (bits(PointFx::px(area.x0, area.y0)), bits(PointFx::px(area.x1, area.y1)));

@@ -13,7 +13,7 @@ use embedded_graphics_core::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use embedded_raster::{Angle, PointFx, Rect};
+use embedded_raster::{px, Angle, PointFx, Rect};
 use fixed::types::{I16F16, I24F8};
 use twins::rng::Rng;
 
@@ -31,9 +31,27 @@ fn number(rng: &mut Rng) -> i32 {
     }
 }
 
+/// Known when a program is compiled, as tables in flash must be.
+const LENGTHS: [I24F8; 2] = [px(6), px(-3)];
+
 /// The nearest `i32`.
 fn stop(n: i64) -> i32 {
     n.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+#[test]
+fn whole_pixels_stop_at_the_ends() {
+    assert_eq!(LENGTHS.map(I24F8::to_bits), [1_536, -768]);
+    let mut rng = Rng::new(901);
+    let mut stopped = 0;
+    for _ in 0..10_000 {
+        let [x, y] = [(); 2].map(|()| number(&mut rng));
+        let bits = [x, y].map(|n| stop(i64::from(n) * 256));
+        assert_eq!([px(x), px(y)], bits.map(I24F8::from_bits), "{x} and {y}");
+        assert_eq!(PointFx::px(x, y), PointFx::new(px(x), px(y)), "{x} and {y}");
+        stopped += usize::from(i64::from(bits[0]) != i64::from(x) * 256);
+    }
+    assert!(stopped > 1_000, "{stopped} of them stop at an end");
 }
 
 #[test]

@@ -41,20 +41,30 @@ impl Ellipse {
         Self { extent: area, curve: None }
     }
 
-    /// An ellipse by its centre and semi-axes, to 1/256 pixel. Without two positive radii it is empty.
+    /// An ellipse by its centre and semi-axes, to 1/256 pixel: whole pixels are [`px`](crate::px) of their number. Without two
+    /// positive radii it is empty.
     #[inline]
     pub fn new(centre: PointFx, rx: I24F8, ry: I24F8) -> Self {
         let (x, y) = bits(centre);
         Self::scaled((x.into(), y.into()), (rx.to_bits().into(), ry.to_bits().into()), 8)
     }
 
-    /// A circle by its centre and radius, to 1/256 pixel.
+    /// A circle by its centre and radius, to 1/256 pixel: whole pixels are [`px`](crate::px) of their number.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{px, Canvas, Ellipse, Framebuffer, PointFx};
+    /// let mut ram = [b'.'; 16];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 4)?;
+    /// frame.fill_ellipse_fx(Ellipse::circle(PointFx::px(2, 2), px(2)), Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".##.########.##.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
     #[inline]
     pub fn circle(centre: PointFx, radius: I24F8) -> Self {
         Self::new(centre, radius, radius)
     }
 
-    /// A circle by its centre and *diameter*, to 1/256 pixel: a round point.
+    /// A circle by its centre and *diameter*, to 1/256 pixel: a round point. Whole pixels are [`px`](crate::px) of their number.
     #[inline]
     pub fn splat(centre: PointFx, size: I24F8) -> Self {
         let (x, y) = bits(centre);

@@ -99,10 +99,9 @@ fn fill_by<T: Number>(curve: &Curve, clip: Rect, emit: &mut dyn FnMut(ClippedSpa
 /// The pixels whose centres lie in a square, given by its centre and its side, to 1/256 pixel: left and top sides in, right
 /// and bottom sides out. A square point.
 /// ```
-/// use embedded_raster::{raster::ellipse, Rect, PointFx};
-/// use fixed::types::I24F8;
+/// use embedded_raster::{px, raster::ellipse, Rect, PointFx};
 /// let at = PointFx::from_bits(640, 640); // the centre of pixel (2, 2)
-/// assert_eq!(ellipse::square(at, I24F8::from_num(3)), Rect::new(1, 1, 4, 4));
+/// assert_eq!(ellipse::square(at, px(3)), Rect::new(1, 1, 4, 4));
 /// ```
 pub fn square(centre: PointFx, size: I24F8) -> Rect {
     let (x, y) = bits(centre);

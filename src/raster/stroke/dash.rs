@@ -57,19 +57,19 @@ pub struct Dash<'a> {
 }
 
 impl Stroke {
-    /// With gaps: lengths on and off in turn, of which `phase` lies before the start of each contour.
+    /// With gaps: lengths on and off in turn, of which `phase` lies before the start of each contour. Whole pixels are
+    /// [`px`](crate::px) of their number.
     ///
     /// What lies behind the last visible part of a contour costs a few comparisons a segment; what lies before it is measured, by a
     /// square root for each line, and for each of the lines that a curve is cut into (2^15 at most), as the phase depends on them.
     /// That is done once, or for each band of rows if the edge table is too small for the whole stroke.
     /// ```
-    /// use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Framebuffer, Index1, Stroke, PointFx};
-    /// use fixed::types::I24F8;
+    /// use embedded_raster::{buffer_bytes, px, Canvas, EdgeSlot, Framebuffer, Index1, Stroke, PointFx};
     /// let mut ram = [0; buffer_bytes::<Index1>(16, 3)];
     /// let mut frame = Framebuffer::<Index1>::new(&mut ram, 16, 3)?;
-    /// let lengths = [4, 2].map(I24F8::from_num);
+    /// let lengths = [4, 2].map(px);
     /// let line = [0, 16].map(|x| PointFx::from_bits(256 * x, 384));
-    /// let stroke = Stroke::px(1).dashed(&lengths, I24F8::ONE);
+    /// let stroke = Stroke::px(1).dashed(&lengths, px(1));
     /// frame.stroke_line_fx(line, &stroke, &mut [EdgeSlot::EMPTY; 16], Index1::MAX)?;
     /// assert_eq!(ram, [0, 0, 0b1110_0111, 0b1001_1110, 0, 0]);
     /// # Ok::<(), embedded_raster::Error>(())

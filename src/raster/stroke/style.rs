@@ -64,7 +64,7 @@ pub struct Stroke<D = ()> {
 }
 
 impl Stroke {
-    /// A solid stroke of this width, with butt caps and miter joins up to 4 widths.
+    /// A solid stroke of this width, with butt caps and miter joins up to 4 widths. For whole pixels there is [`px`](Self::px).
     #[inline]
     pub const fn new(width: I24F8) -> Self {
         Self { width, cap: Cap::Butt, join: Join::Miter, miter_limit: I24F8::from_bits(4 << 8), dash: () }
@@ -92,7 +92,7 @@ impl<D> Stroke<D> {
         Self { join, ..self }
     }
 
-    /// The same stroke with this limit for miters.
+    /// The same stroke with this limit for miters, in widths of the stroke: [`px(2)`](crate::px) for two of them.
     #[inline]
     #[must_use]
     pub fn with_miter_limit(self, miter_limit: I24F8) -> Self {
