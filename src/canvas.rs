@@ -34,14 +34,17 @@ use crate::{
 /// **Words.** `draw_` is a line one pixel wide, `fill_` the inside of a shape, `stroke_` a line with a width. `blit` copies a
 /// picture.
 ///
-/// **Pixels and places.** A method with a plain name takes pixels: a [`Point`] names one, a [`Rect`] a box of them. The corners
-/// of a filled triangle or polygon are the centres of these pixels. A method whose name ends in `_fx` takes places on the plane,
-/// to 1/256 of a pixel: a [`PointFx`], or a shape made of such places, as [`Path`] and [`Ellipse`] are.
+/// **Pixels and places.** A method with a plain name takes pixels: a [`Point`] names one, and so do its column and row, `(x, y)`;
+/// a [`Rect`] or a `Rectangle` of embedded-graphics is a box of them. The corners of a filled triangle or polygon are the centres
+/// of these pixels. A method whose name ends in `_fx` takes places on the plane, to 1/256 of a pixel: a [`PointFx`], or a shape
+/// made of such places, as [`Path`] and [`Ellipse`] are. It takes no pixels: whether the corner of a pixel is meant, as
+/// [`PointFx::px`] has it, or its centre, as [`PointFx::from`] has it, makes half a pixel of difference, and the call shows it.
 ///
 /// **Arguments.** First the shape, then options, then scratch memory, then the colour of all its pixels. Any other [`Paint`]
 /// goes through [`paint`](Self::paint).
 ///
-/// Each method links only the code of its own shape.
+/// Each method links only the code of its own shape. One that goes over a list of pixels is linked once for each kind of list:
+/// of [`Point`]s, of `(x, y)`.
 /// ```
 /// use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb565, prelude::RgbColor};
 /// use embedded_raster::{buffer_bytes, Canvas, Framebuffer, PointFx};
@@ -49,6 +52,7 @@ use crate::{
 /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 48)?;
 /// frame.fill_triangle_fx([PointFx::px(32, 4), PointFx::px(60, 40), PointFx::px(6, 44)], Rgb565::RED);
 /// frame.draw_line(Point::new(0, 0), Point::new(63, 47), Rgb565::WHITE);
+/// frame.draw_line((0, 47), (63, 0), Rgb565::WHITE);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 pub trait Canvas: Surface {
@@ -86,8 +90,8 @@ pub trait Canvas: Surface {
 
     /// Paints a pixel.
     #[inline]
-    fn draw_point(&mut self, at: Point, color: Self::Color) {
-        self.set(at, color);
+    fn draw_point(&mut self, at: impl Into<Point>, color: Self::Color) {
+        self.set(at.into(), color);
     }
 
     /// Paints the pixel that contains a place.
@@ -98,18 +102,20 @@ pub trait Canvas: Surface {
 
     /// Draws a line one pixel wide, both ends included: see [`line`](crate::raster::line) for which pixels.
     #[inline]
-    fn draw_line(&mut self, a: Point, b: Point, color: Self::Color) {
+    fn draw_line(&mut self, a: impl Into<Point>, b: impl Into<Point>, color: Self::Color) {
+        let (a, b) = (a.into(), b.into());
         in_color(self, color, |window, brush| line::draw(a, b, window, brush));
     }
 
     /// Draws lines from each point to the next. A point where two lines meet is painted twice, and a counter of pixels counts
     /// both.
-    fn draw_polyline(&mut self, points: impl IntoIterator<Item = Point>, color: Self::Color)
+    fn draw_polyline(&mut self, points: impl IntoIterator<Item: Into<Point>>, color: Self::Color)
     where
         Self: Sized,
     {
         let mut last = None;
         for point in points {
+            let point = point.into();
             self.draw_line(last.unwrap_or(point), point, color);
             last = Some(point);
         }
@@ -117,19 +123,19 @@ pub trait Canvas: Surface {
 
     /// Draws lines from each corner of a polygon to the next, and from the last one to the first. Corners are painted twice.
     /// ```
-    /// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+    /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{Canvas, Framebuffer};
     /// let mut ram = [b'.'; 20];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
-    /// frame.draw_polygon([(0, 0), (4, 0), (1, 3)].map(Point::from), Gray8::new(b'#'));
+    /// frame.draw_polygon([(0, 0), (4, 0), (1, 3)], Gray8::new(b'#'));
     /// assert_eq!(&ram, b"######..#..##...#...");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
-    fn draw_polygon(&mut self, corners: impl IntoIterator<Item = Point>, color: Self::Color)
+    fn draw_polygon(&mut self, corners: impl IntoIterator<Item: Into<Point>>, color: Self::Color)
     where
         Self: Sized,
     {
-        let mut corners = corners.into_iter();
+        let mut corners = corners.into_iter().map(Into::<Point>::into);
         if let Some(first) = corners.next() {
             self.draw_polyline(once(first).chain(corners).chain(once(first)), color);
         }
@@ -137,7 +143,8 @@ pub trait Canvas: Surface {
 
     /// Draws the outline of a triangle: lines between its corners.
     #[inline]
-    fn draw_triangle(&mut self, [a, b, c]: [Point; 3], color: Self::Color) {
+    fn draw_triangle(&mut self, corners: [impl Into<Point>; 3], color: Self::Color) {
+        let [a, b, c]: [Point; 3] = corners.map(Into::into);
         for (from, to) in [(a, b), (b, c), (c, a)] {
             self.draw_line(from, to, color);
         }
@@ -154,14 +161,15 @@ pub trait Canvas: Surface {
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn draw_rectangle(&mut self, area: Rect, color: Self::Color) {
+    fn draw_rectangle(&mut self, area: impl Into<Rect>, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| rectangle::outline(area, window, brush));
     }
 
     /// Fills a rectangle of pixels.
     #[inline]
-    fn fill_rectangle(&mut self, area: Rect, color: Self::Color) {
-        self.fill_area(area, color);
+    fn fill_rectangle(&mut self, area: impl Into<Rect>, color: Self::Color) {
+        self.fill_area(area.into(), color);
     }
 
     /// Fills a rectangle given by two opposite corners: the pixels whose centres lie inside, those on the left and top
@@ -173,8 +181,8 @@ pub trait Canvas: Surface {
 
     /// Fills the triangle between the centres of three pixels.
     #[inline]
-    fn fill_triangle(&mut self, corners: [Point; 3], color: Self::Color) {
-        self.fill_triangle_fx(corners.map(PointFx::centre_of), color);
+    fn fill_triangle(&mut self, corners: [impl Into<Point>; 3], color: Self::Color) {
+        self.fill_triangle_fx(corners.map(|corner| PointFx::centre_of(corner.into())), color);
     }
 
     /// Fills a triangle: see [`triangle`](crate::raster::triangle) for which pixels.
@@ -185,7 +193,8 @@ pub trait Canvas: Surface {
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).
     #[inline]
-    fn draw_ellipse(&mut self, area: Rect, color: Self::Color) {
+    fn draw_ellipse(&mut self, area: impl Into<Rect>, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| ellipse::outline(area, window, brush));
     }
 
@@ -200,8 +209,8 @@ pub trait Canvas: Surface {
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn fill_ellipse(&mut self, area: Rect, color: Self::Color) {
-        self.fill_ellipse_fx(Ellipse::in_box(area), color);
+    fn fill_ellipse(&mut self, area: impl Into<Rect>, color: Self::Color) {
+        self.fill_ellipse_fx(Ellipse::in_box(area.into()), color);
     }
 
     /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
@@ -213,7 +222,8 @@ pub trait Canvas: Surface {
     /// Fills what [`draw_ellipse`](Self::draw_ellipse) encloses, the outline included. To have both in two colours, call this
     /// first and draw the outline over it.
     #[inline]
-    fn fill_outlined_ellipse(&mut self, area: Rect, color: Self::Color) {
+    fn fill_outlined_ellipse(&mut self, area: impl Into<Rect>, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| ellipse::enclosed(area, window, brush));
     }
 
@@ -242,7 +252,8 @@ pub trait Canvas: Surface {
 
     /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
     #[inline]
-    fn draw_arc(&mut self, area: Rect, sector: Sector, color: Self::Color) {
+    fn draw_arc(&mut self, area: impl Into<Rect>, sector: Sector, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| arc::outline(area, sector, window, brush));
     }
 
@@ -258,8 +269,8 @@ pub trait Canvas: Surface {
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn fill_sector(&mut self, area: Rect, sector: Sector, color: Self::Color) {
-        self.fill_sector_fx(Ellipse::in_box(area), sector, color);
+    fn fill_sector(&mut self, area: impl Into<Rect>, sector: Sector, color: Self::Color) {
+        self.fill_sector_fx(Ellipse::in_box(area.into()), sector, color);
     }
 
     /// Fills a sector of an ellipse.
@@ -270,8 +281,8 @@ pub trait Canvas: Surface {
 
     /// Fills a ring: the pixels of the ellipse in the box `outer` that are not pixels of the ellipse in the box `inner`.
     #[inline]
-    fn fill_ring(&mut self, outer: Rect, inner: Rect, color: Self::Color) {
-        self.fill_ring_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), color);
+    fn fill_ring(&mut self, outer: impl Into<Rect>, inner: impl Into<Rect>, color: Self::Color) {
+        self.fill_ring_fx(Ellipse::in_box(outer.into()), Ellipse::in_box(inner.into()), color);
     }
 
     /// Fills a ring: the pixels of the ellipse `outer` that are not pixels of `inner`.
@@ -282,8 +293,8 @@ pub trait Canvas: Surface {
 
     /// Fills the part of a ring that lies in a sector, as seen from the centre of the box `outer`.
     #[inline]
-    fn fill_ring_sector(&mut self, outer: Rect, inner: Rect, sector: Sector, color: Self::Color) {
-        self.fill_ring_sector_fx(Ellipse::in_box(outer), Ellipse::in_box(inner), sector, color);
+    fn fill_ring_sector(&mut self, outer: impl Into<Rect>, inner: impl Into<Rect>, sector: Sector, color: Self::Color) {
+        self.fill_ring_sector_fx(Ellipse::in_box(outer.into()), Ellipse::in_box(inner.into()), sector, color);
     }
 
     /// Fills the part of a ring that lies in a sector, as seen from the centre of `outer`.
@@ -294,7 +305,8 @@ pub trait Canvas: Surface {
 
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.
     #[inline]
-    fn draw_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+    fn draw_rounded(&mut self, area: impl Into<Rect>, radii: Radii, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| rounded::outline(area, radii, window, brush));
     }
 
@@ -309,7 +321,8 @@ pub trait Canvas: Surface {
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
-    fn fill_rounded(&mut self, area: Rect, radii: Radii, color: Self::Color) {
+    fn fill_rounded(&mut self, area: impl Into<Rect>, radii: Radii, color: Self::Color) {
+        let area = area.into();
         in_color(self, color, |window, brush| rounded::fill(area, radii, window, brush));
     }
 
@@ -321,12 +334,12 @@ pub trait Canvas: Surface {
     #[inline]
     fn fill_polygon(
         &mut self,
-        corners: &[Point],
+        corners: &[impl Into<Point> + Copy],
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        let places = corners.iter().map(|&corner| PointFx::centre_of(corner));
+        let places = corners.iter().map(|&corner| PointFx::centre_of(corner.into()));
         in_color(self, color, |window, brush| polygon::fill([places], rule, table, window, brush))
     }
 
@@ -479,24 +492,24 @@ pub trait Canvas: Surface {
     /// Copies a picture so that its top left pixel falls on `at`. What lies outside is clipped. The picture may have any
     /// layout, with colours of the same type; a view of one may start at any pixel, even within a byte.
     #[inline]
-    fn blit<M, L>(&mut self, at: Point, picture: &Frame<M, L>)
+    fn blit<M, L>(&mut self, at: impl Into<Point>, picture: &Frame<M, L>)
     where
         Self: Sized,
         M: AsRef<[u8]>,
         L: Layout<Color = Self::Color>,
     {
-        self.copy_picture(at, picture, None);
+        self.copy_picture(at.into(), picture, None);
     }
 
     /// [`blit`](Self::blit), but pixels of the colour `key` are transparent.
     #[inline]
-    fn blit_keyed<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Self::Color)
+    fn blit_keyed<M, L>(&mut self, at: impl Into<Point>, picture: &Frame<M, L>, key: Self::Color)
     where
         Self: Sized,
         M: AsRef<[u8]>,
         L: Layout<Color = Self::Color>,
     {
-        self.copy_picture(at, picture, Some(key));
+        self.copy_picture(at.into(), picture, Some(key));
     }
 
     /// Paints a picture of one bit per pixel: a set bit in the colour `on`, any other in the colour `off`, or not at all if
@@ -514,7 +527,7 @@ pub trait Canvas: Surface {
     #[inline]
     fn blit_mask<M, F>(
         &mut self,
-        at: Point,
+        at: impl Into<Point>,
         mask: &Frame<M, Rows<F>>,
         on: Self::Color,
         off: impl Into<Option<Self::Color>>,
@@ -524,27 +537,27 @@ pub trait Canvas: Surface {
         F: PixelFormat,
     {
         const { assert!(F::BITS == 1, "a mask has one bit per pixel") };
-        self.copy_mask(at, mask, on, off.into());
+        self.copy_mask(at.into(), mask, on, off.into());
     }
 
     /// Copies the pixels of `area` so that the top left one falls on `to`. Both areas may overlap. Pixels that nothing is copied
     /// to keep their colours; pixels that lie outside of the window, before or after, are left out. To scroll up by one row,
     /// move the whole window to `Point::new(0, -1)`.
     #[inline]
-    fn move_area(&mut self, area: Rect, to: Point)
+    fn move_area(&mut self, area: impl Into<Rect>, to: impl Into<Point>)
     where
         Self: Readable,
     {
-        self.copy_area(area, to, None);
+        self.copy_area(area.into(), to.into(), None);
     }
 
     /// [`move_area`](Self::move_area), but pixels of the colour `key` are not copied.
     #[inline]
-    fn move_area_keyed(&mut self, area: Rect, to: Point, key: Self::Color)
+    fn move_area_keyed(&mut self, area: impl Into<Rect>, to: impl Into<Point>, key: Self::Color)
     where
         Self: Readable,
     {
-        self.copy_area(area, to, Some(key));
+        self.copy_area(area.into(), to.into(), Some(key));
     }
 
     /// Paints the pixels of the seed's colour that are connected with it. Nothing is painted if the seed lies outside of the
@@ -563,7 +576,7 @@ pub trait Canvas: Surface {
     /// ```
     fn flood_fill(
         &mut self,
-        seed: Point,
+        seed: impl Into<Point>,
         connectivity: Connectivity,
         table: &mut [FloodSlot],
         color: Self::Color,
@@ -571,6 +584,7 @@ pub trait Canvas: Surface {
     where
         Self: Readable + Sized,
     {
+        let seed = seed.into();
         let Some(old) = self.get(seed).filter(|&old| old != color) else { return 0 };
         let mut area = Area { surface: self, color, is_open: |pixel| pixel == old };
         pour::fill(&mut area, seed, connectivity, table)
@@ -582,7 +596,7 @@ pub trait Canvas: Surface {
     /// `table` and the result are as for [`flood_fill`](Self::flood_fill).
     fn flood_fill_to(
         &mut self,
-        seed: Point,
+        seed: impl Into<Point>,
         boundary: Self::Color,
         connectivity: Connectivity,
         table: &mut [FloodSlot],
@@ -592,7 +606,7 @@ pub trait Canvas: Surface {
         Self: Readable + Sized,
     {
         let mut area = Area { surface: self, color, is_open: |pixel| pixel != boundary && pixel != color };
-        pour::fill(&mut area, seed, connectivity, table)
+        pour::fill(&mut area, seed.into(), connectivity, table)
     }
 }
 

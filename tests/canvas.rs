@@ -5,17 +5,22 @@
 
 use embedded_graphics::{
     mono_font::{ascii::FONT_6X10, MonoTextStyle},
-    pixelcolor::Rgb565,
+    pixelcolor::{Gray8, Rgb565},
     prelude::*,
+    primitives::Rectangle,
     text::Text,
 };
 use embedded_raster::{
     eg,
     pixel::Rgb444,
-    raster::{ellipse, line, rectangle, triangle},
+    raster::{
+        ellipse,
+        flood::{Connectivity, FloodSlot},
+        line, rectangle, triangle,
+    },
     surface::{Grid, Packed12, Pages, Planes, Rows},
-    Canvas, ClippedSpan, Ellipse, Frame, Index1, Index2, Index4, Layout, Octants, Paint, PixelFormat, PointFx,
-    Readable, Rect, Sink, Solid, Span, Steps, Surface,
+    Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, FillRule, Frame, Framebuffer, Index1, Index2, Index4, Layout,
+    Octants, Paint, PixelFormat, PointFx, Radii, Readable, Rect, Sector, Sink, Solid, Span, Steps, Surface,
 };
 use twins::{rng::Rng, watched::Watched};
 
@@ -147,4 +152,65 @@ fn nothing_outside_of_a_view_is_painted_whatever_it_is_told() {
     check_careless::<Index1, Pages<Index1>>();
     check_careless::<Index2, Planes<Index2>>();
     check_careless::<Rgb444, Packed12>();
+}
+
+/// A scene of pixels and boxes, given in the forms that `pixel` and `area` make.
+fn scene<P: Into<Point> + Copy, A: Into<Rect>>(pixel: impl Fn(i32, i32) -> P, area: impl Fn(Rect) -> A) -> Vec<u8> {
+    let (width, height) = (60, 50);
+    let mut ram = vec![0; 60 * 50];
+    let mut on = Framebuffer::<Gray8>::new(&mut ram, width, height).expect("the right size");
+    let picture = Bitmap::<Gray8>::new(&[1, 2, 3, 4, 5, 6], 3, 2).expect("the right size");
+    let glyph = Bitmap::<Index1>::new(&[0b1010_0000, 0b0100_0000], 3, 2).expect("the right size");
+    let slice = Sector::slice(0, 1, 3);
+    let (at, area) = (pixel, |x, y, size| area(Rect::new(x, y, x + size, y + size)));
+    let mut next = 9;
+    let mut c = || {
+        next += 1;
+        Gray8::new(next)
+    };
+    let mut table = [EdgeSlot::EMPTY; 8];
+    on.draw_point(at(0, 0), c());
+    on.draw_line(at(2, 0), at(20, 5), c());
+    on.draw_polyline([at(0, 9), at(9, 7), at(12, 14)], c());
+    on.draw_polygon([at(14, 9), at(22, 7), at(20, 14)], c());
+    on.draw_triangle([at(24, 1), at(30, 7), at(23, 9)], c());
+    on.fill_triangle([at(34, 1), at(40, 7), at(33, 9)], c());
+    on.fill_polygon(&[at(44, 1), at(50, 7), at(43, 9)], FillRule::EvenOdd, &mut table, c()).expect("enough slots");
+    on.draw_rectangle(area(1, 15, 8), c());
+    on.fill_rectangle(area(10, 15, 8), c());
+    on.draw_ellipse(area(19, 15, 8), c());
+    on.fill_ellipse(area(28, 15, 8), c());
+    on.fill_outlined_ellipse(area(37, 15, 8), c());
+    on.draw_arc(area(46, 15, 8), slice, c());
+    on.fill_sector(area(1, 25, 8), slice, c());
+    on.fill_ring(area(10, 25, 8), area(12, 27, 4), c());
+    on.fill_ring_sector(area(19, 25, 8), area(21, 27, 4), slice, c());
+    on.draw_rounded(area(28, 25, 8), Radii::all(3), c());
+    on.fill_rounded(area(37, 25, 8), Radii::all(3), c());
+    on.blit(at(46, 25), &picture);
+    on.blit_keyed(at(50, 25), &picture, Gray8::new(4));
+    on.blit_mask(at(54, 25), &glyph, c(), None);
+    on.move_area(area(28, 15, 8), at(1, 35));
+    on.move_area_keyed(area(37, 15, 8), at(10, 35), Gray8::new(0));
+    on.flood_fill(at(4, 18), Connectivity::Sides, &mut [FloodSlot::EMPTY; 8], c());
+    on.flood_fill_to(at(31, 28), Gray8::new(26), Connectivity::Sides, &mut [FloodSlot::EMPTY; 8], c());
+    assert_eq!(on.get(at(0, 0)), Some(Gray8::new(10)), "read");
+    on.view(area(20, 35, 8)).fill_window(c());
+    on.clipped(area(30, 35, 8)).fill_window(c());
+    let (tile, clip) = (on.as_bitmap().view(area(20, 35, 8)), on.as_bitmap().clipped(area(30, 35, 8)));
+    assert_eq!([tile.window(), clip.window()], [Rect::new(0, 0, 8, 8), Rect::new(30, 35, 38, 43)], "pictures");
+    // Not only what is known by name.
+    let any: &mut dyn Surface<Color = Gray8> = &mut on;
+    any.draw_line(at(40, 36), at(50, 40), c());
+    any.fill_rectangle(area(52, 36, 5), c());
+    ram
+}
+
+#[test]
+fn pixels_and_boxes_are_taken_in_every_form() {
+    let plain = scene(Point::new, |area| area);
+    let unseen: Vec<u8> = (10..=34).filter(|color| !plain.contains(color)).collect();
+    assert_eq!(unseen, Vec::<u8>::new(), "colours of the shapes");
+    assert!(plain == scene(|x, y| (x, y), Rectangle::from), "columns and rows, and embedded-graphics' boxes");
+    assert!(plain == scene(|x, y| [x, y], |area| area), "arrays");
 }

@@ -353,7 +353,7 @@ fn shapes_on_another_target_are_those_on_ours() {
     // A part of a target: its window is that part.
     let part = Rectangle::new(Point::new(9, 4), Size::new(33, 21));
     ours.clear(Index4::new(15));
-    shapes(&mut ours.clipped(part.into()));
+    shapes(&mut ours.clipped(part));
     DrawTarget::clear(&mut theirs, Index4::new(15)).expect("memory takes everything");
     draw_on(&mut theirs.clipped(&part), |canvas| shapes(canvas)).expect("memory takes everything");
     assert_same(&theirs, &ours, "shapes in a part");

@@ -10,8 +10,8 @@ use crate::num::cast::saturate;
 /// A place on the plane, to 1/256 of a pixel, from -8,388,608 to 8,388,607.996.
 ///
 /// Pixel (x, y) covers `x..x+1` and `y..y+1`. [`px`](Self::px) is its top left *corner*, at (x, y);
-/// [`centre_of`](Self::centre_of) is its *centre*, at (x + 1/2, y + 1/2). A [`Point`] names a pixel, not a place, so
-/// `PointFx::from(point)` is the centre of that pixel.
+/// [`centre_of`](Self::centre_of) is its *centre*, at (x + 1/2, y + 1/2). A [`Point`] names a pixel, not a place, and so do a
+/// column and a row, `(x, y)`: [`PointFx::from`] either is the centre of that pixel.
 /// ```
 /// use embedded_graphics_core::geometry::Point;
 /// use embedded_raster::{fixed::types::I24F8, px, PointFx};
@@ -20,6 +20,7 @@ use crate::num::cast::saturate;
 /// assert_eq!(corner, PointFx::new(px(3), px(-4)));
 /// let centre = PointFx::from(Point::new(3, -4));
 /// assert_eq!(centre, PointFx::new(I24F8::from_num(3.5), I24F8::from_num(-3.5)));
+/// assert_eq!(centre, PointFx::from((3, -4)));
 /// assert_eq!((corner.pixel(), centre.pixel()), (Point::new(3, -4), Point::new(3, -4)));
 /// ```
 ///
@@ -97,6 +98,14 @@ impl From<Point> for PointFx {
     #[inline]
     fn from(pixel: Point) -> Self {
         Self::centre_of(pixel)
+    }
+}
+
+/// The *centre* of the pixel in column x and row y, as of a [`Point`]. [`px`](PointFx::px) is its corner.
+impl From<(i32, i32)> for PointFx {
+    #[inline]
+    fn from((x, y): (i32, i32)) -> Self {
+        Self::centre_of(Point::new(x, y))
     }
 }
 

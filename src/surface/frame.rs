@@ -120,7 +120,8 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
 
     /// The colour of a pixel; `None` if it lies outside.
     #[inline]
-    pub fn get(&self, p: Point) -> Option<L::Color> {
+    pub fn get(&self, p: impl Into<Point>) -> Option<L::Color> {
+        let p = p.into();
         self.window.contains(p.x, p.y).then(|| self.at(p.x, p.y))
     }
 
@@ -258,29 +259,29 @@ impl<L: Layout> Frame<&mut [u8], L> {
     ///
     /// Its size is that of `area`, up to 65,535 each way. Where `area` reaches beyond this surface, pixels are clipped.
     #[must_use]
-    pub fn view(&mut self, area: Rect) -> Frame<&mut [u8], L> {
-        self.as_mut().seen_from(area)
+    pub fn view(&mut self, area: impl Into<Rect>) -> Frame<&mut [u8], L> {
+        self.as_mut().seen_from(area.into())
     }
 
     /// The same surface, with drawing restricted to `area`; coordinates stay as they are.
     #[must_use]
-    pub fn clipped(&mut self, area: Rect) -> Frame<&mut [u8], L> {
-        self.as_mut().within(area)
+    pub fn clipped(&mut self, area: impl Into<Rect>) -> Frame<&mut [u8], L> {
+        self.as_mut().within(area.into())
     }
 }
 
 impl<L: Layout> Frame<&[u8], L> {
     /// The part of it in `area`, as a picture of its own whose (0, 0) is the top left corner of `area`: a tile of a sheet, say.
     #[must_use]
-    pub fn view(&self, area: Rect) -> Self {
-        self.seen_from(area)
+    pub fn view(&self, area: impl Into<Rect>) -> Self {
+        self.seen_from(area.into())
     }
 
     /// The part of it in `area`; what lies outside is left out. Coordinates stay as they are.
     #[inline]
     #[must_use]
-    pub fn clipped(&self, area: Rect) -> Self {
-        self.within(area)
+    pub fn clipped(&self, area: impl Into<Rect>) -> Self {
+        self.within(area.into())
     }
 }
 
