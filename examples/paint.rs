@@ -25,6 +25,12 @@ and is closed by a right click or Enter; Backspace drops it. Esc quits.
 
 In a script, a line is one of these; what follows a # is a comment:";
 
+/// What numbers in a script may be.
+const RANGES: &str = "\
+Sizes go from 1 to 1024, scratch memory from 0 to 1024. A color or an entry of the palette that the depth does not have is an
+error; a range may reach beyond the depth: what is not there does not cycle. Coordinates are any whole numbers of 32 bits: what
+lies outside of the sheet is not drawn.";
+
 fn main() -> ExitCode {
     match run() {
         Ok(()) => ExitCode::SUCCESS,
@@ -37,7 +43,7 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), Box<dyn Error>> {
     let Some(options) = Options::from_command_line()? else {
-        println!("{USAGE}\n  {}", FORMS.join("\n  "));
+        println!("{USAGE}\n  {}\n\n{RANGES}", FORMS.join("\n  "));
         return Ok(());
     };
     let mut paint = Paint::new(options.size, options.bits);

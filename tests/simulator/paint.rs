@@ -27,13 +27,15 @@ fn after(bits: u8, script: &str) -> Paint {
     paint
 }
 
-/// The demonstration without the palette entries that a depth does not have.
+/// The demonstration without the palette entries that a depth does not have, and with its colors cut to the depth.
 fn demo(bits: u8) -> String {
-    let is_there = |line: &&str| {
-        let index = line.strip_prefix("palette ").and_then(|rest| rest.split(' ').next()?.parse::<u32>().ok());
-        index.is_none_or(|index| index < 1 << bits)
+    let number = |line: &str, name: &str| line.strip_prefix(name)?.split(' ').next()?.parse::<u32>().ok();
+    let is_there = |line: &&str| number(line, "palette ").is_none_or(|index| index < 1 << bits);
+    let cut = |line: &str| match number(line, "color ") {
+        Some(index) => format!("color {}\n", index & ((1 << bits) - 1)),
+        None => format!("{line}\n"),
     };
-    DEMO.lines().filter(is_there).fold(String::new(), |script, line| script + line + "\n")
+    DEMO.lines().filter(is_there).map(cut).collect()
 }
 
 #[test]
@@ -74,7 +76,7 @@ fn every_step_back_and_forth() {
     for bits in [1, 2, 4, 8] {
         let mut paint = paint(bits);
         let mut sheets = vec![paint.sheet().clone()];
-        for (_, command) in parse(DEMO).expect("a script") {
+        for (_, command) in parse(&demo(bits)).expect("a script") {
             if !matches!(command, Command::Undo | Command::Palette(..)) {
                 paint.apply(&command).expect("it can be carried out");
             }
@@ -148,6 +150,12 @@ fn wrong_lines_say_what_was_expected() {
         ("clear 3", "1 numbers instead of 0; expected `clear`"),
         ("color", "0 numbers instead of 1; expected `color INDEX`"),
         ("color 256", "256 is not in 0 to 255; expected `color INDEX`"),
+        (
+            "color 99999999999999999999999999999999999999999999",
+            "99999999999999999999999999999999999999999999 is not in 0 to",
+        ),
+        ("color 1e2", "`1e2` is no whole number; expected `color INDEX`"),
+        ("color -", "`-` is no whole number; expected `color INDEX`"),
         ("color -1", "-1 is not in 0 to 255; expected `color INDEX`"),
         ("filled yes", "`yes` is no whole number; expected `filled`"),
         ("outline 1", "1 numbers instead of 0; expected `outline`"),
@@ -195,6 +203,25 @@ fn palettes_have_as_many_entries_as_the_depth_has_colors() {
         }
     }
     after(8, "palette 255 1 2 3\n");
+}
+
+#[test]
+fn colors_that_a_depth_does_not_have_are_errors() {
+    for bits in [1, 2, 4] {
+        let last = (1_u8 << bits) - 1;
+        let mut paint = after(bits, &format!("color {last}\n"));
+        for index in [last + 1, 200, u8::MAX] {
+            let error = replay(&format!("clear\n\ncolor {index}\nclear\n"), &mut paint).expect_err("no such color");
+            let plural = if bits == 1 { "" } else { "s" };
+            let expected = format!("line 3: color {index} is not in 0 to {last}, the colors of {bits} bit{plural}");
+            assert_eq!(error.to_string(), expected);
+            assert_eq!(paint.color, last, "the color that was chosen");
+        }
+        assert_eq!(after(bits, &format!("color {last}\nclear\n")).picture().index(5, 5), Some(last), "the last one");
+    }
+    assert_eq!(after(8, "color 200\nclear\n").picture().index(5, 5), Some(200), "8 bits have them all");
+    // What was chosen at another depth is cut to the bits of the sheet.
+    assert_eq!(after(8, "color 200\nbits 4\nclear\n").picture().index(5, 5), Some(8), "200 = 12 * 16 + 8");
 }
 
 #[test]

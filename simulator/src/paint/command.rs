@@ -9,11 +9,12 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 pub enum Command {
     /// Takes a new sheet of this size, of colour 0.
     Size(u16, u16),
-    /// Takes a new sheet of this depth, of colour 0, with the standard palette of the depth.
+    /// Takes a new sheet of this depth, of colour 0, with the standard palette of the depth. The number of the colour to paint with
+    /// is cut to as many bits.
     Bits(u8),
     /// Paints the whole sheet.
     Clear,
-    /// Chooses the colour to paint with. Its number is cut to the bits of the sheet.
+    /// Chooses the colour to paint with. One beyond the depth is an error.
     Color(u8),
     /// Whether ellipses, rectangles and polygons are filled from now on.
     Filled(bool),
@@ -31,7 +32,7 @@ pub enum Command {
     Fill(Point),
     /// Changes an entry of the palette, and takes back all cycling. An entry beyond the depth is an error.
     Palette(u8, Rgb888),
-    /// The entries that cycle, both ends included.
+    /// The entries that cycle, both ends included. It may reach beyond the depth: what is not there does not cycle.
     Range(u8, u8),
     /// Moves the colours of the range up by so many places, or down. The sheet keeps its palette: see `Paint`.
     Cycle(i32),
@@ -184,8 +185,11 @@ impl Words<'_> {
 }
 
 fn number<T: FromStr + PartialOrd + fmt::Display>(word: &str, range: &RangeInclusive<T>) -> Result<T, String> {
-    // As the widest first: "too large" and "no number" are different troubles.
-    word.parse::<i128>().map_err(|_| format!("`{word}` is no whole number"))?;
+    // "Too large" and "no number" are different troubles: digits are a number, however many there are.
+    let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
+    if digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
+        return Err(format!("`{word}` is no whole number"));
+    }
     let inside = word.parse().ok().filter(|number| range.contains(number));
     inside.ok_or_else(|| format!("{word} is not in {} to {}", range.start(), range.end()))
 }

@@ -25,7 +25,7 @@ pub struct Paint {
     future: Vec<Sheet>,
     /// The palette entry that the last step changed.
     edited: Option<u8>,
-    /// The colour to paint with.
+    /// The colour to paint with, cut to the bits of the sheet: it may be one of a deeper sheet of before.
     pub color: u8,
     /// Whether shapes are filled.
     pub filled: bool,
@@ -62,6 +62,8 @@ pub enum Failure {
     Draw(Error),
     /// The palette of the sheet has no entry of this number: it has so many.
     NoEntry(u8, usize),
+    /// A sheet of so many bits has no colour of this number.
+    NoColor(u8, u8),
     /// There is nothing to undo, or to redo.
     NoStep(&'static str),
     /// The file cannot be written, and why.
@@ -73,6 +75,10 @@ impl fmt::Display for Failure {
         match self {
             Self::Draw(error) => error.fmt(f),
             Self::NoEntry(index, entries) => write!(f, "there is no entry {index} among the {entries} of the palette"),
+            Self::NoColor(index, bits) => {
+                let (last, plural) = (u8::MAX >> 8_u8.saturating_sub(*bits), if *bits == 1 { "" } else { "s" });
+                write!(f, "color {index} is not in 0 to {last}, the colors of {bits} bit{plural}")
+            }
             Self::NoStep(what) => write!(f, "nothing to {what}"),
             Self::Save(why) => f.write_str(why),
         }
@@ -128,6 +134,9 @@ impl Paint {
     /// Whatever keeps it from being done. Nothing has changed then.
     pub fn apply(&mut self, command: &Command) -> Result<Done, Failure> {
         match command {
+            Command::Color(index) if usize::from(*index) >= self.sheet.colors() => {
+                return Err(Failure::NoColor(*index, self.sheet.bits));
+            }
             Command::Color(index) => self.color = *index,
             Command::Filled(filled) => self.filled = *filled,
             Command::Range(first, last) => (self.range, self.turns) = ((*first, *last), 0),
