@@ -7,6 +7,7 @@
 use std::{error::Error, fs, process::ExitCode};
 
 use embedded_raster_simulator::{
+    finish,
     paint::{replay, Desk, Paint, Summary, FORMS},
     watch, WindowError,
 };
@@ -32,19 +33,13 @@ error; a range may reach beyond the depth: what is not there does not cycle. Coo
 lies outside of the sheet is not drawn.";
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("paint: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    finish("paint", run(lexopt::Parser::from_env()))
 }
 
-fn run() -> Result<(), Box<dyn Error>> {
-    let Some(options) = Options::from_command_line()? else {
-        println!("{USAGE}\n  {}\n\n{RANGES}", FORMS.join("\n  "));
-        return Ok(());
+/// Does what the arguments say, and returns what there is to say of it.
+fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
+    let Some(options) = Options::parse(arguments)? else {
+        return Ok(format!("{USAGE}\n  {}\n\n{RANGES}\n", FORMS.join("\n  ")));
     };
     let mut paint = Paint::new(options.size, options.bits);
     let Some(path) = &options.script else {
@@ -55,23 +50,29 @@ fn run() -> Result<(), Box<dyn Error>> {
     let picture = paint.picture();
     picture.write_png(&options.output)?;
     picture.show(100);
-    report(&paint, &summary, &options.output);
-    Ok(())
+    Ok(report(&paint, &summary, &options.output))
 }
 
-fn report(paint: &Paint, summary: &Summary, output: &str) {
+fn report(paint: &Paint, summary: &Summary, output: &str) -> String {
     let sheet = paint.sheet();
     let (width, height) = sheet.size;
-    println!("{output}: {width} x {height} at {} bits per pixel, {} bytes of framebuffer", sheet.bits, sheet.ram.len());
-    let plural = if summary.commands == 1 { "" } else { "s" };
-    println!("done: {} command{plural}, {} pixels changed", summary.commands, summary.pixels);
-    println!("scratch: {} slots for the largest flood fill, of {} given", summary.slots, paint.scratch().slots);
+    let counted = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+    let (bits, slots) = (counted(sheet.bits.into(), "bit"), counted(summary.slots, "slot"));
+    let bytes = counted(sheet.ram.len(), "byte");
+    let (commands, pixels) = (counted(summary.commands, "command"), counted(summary.pixels, "pixel"));
+    format!(
+        "{output}: {width} x {height} at {bits} per pixel, {bytes} of framebuffer\n\
+         done: {commands}, {pixels} changed\n\
+         scratch: {slots} for the largest flood fill, of {} given\n",
+        paint.scratch().slots
+    )
 }
 
-fn open(mut desk: Desk) -> Result<(), Box<dyn Error>> {
+fn open(mut desk: Desk) -> Result<String, Box<dyn Error>> {
     let first = desk.shot();
     let result = watch("paint", first, |events| Ok::<_, WindowError>(desk.go(events).then(|| desk.shot())));
-    result.map_err(|error| format!("no window: {error}; `--script FILE` needs none").into())
+    result.map_err(|error| format!("no window: {error}; `--script FILE` needs none"))?;
+    Ok(String::new())
 }
 
 struct Options {
@@ -83,10 +84,9 @@ struct Options {
 
 impl Options {
     /// `None` if help was asked for.
-    fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
+    fn parse(mut arguments: lexopt::Parser) -> Result<Option<Self>, lexopt::Error> {
         use lexopt::prelude::*;
         let mut options = Self { size: (320, 240), bits: 4, script: None, output: "paint.png".into() };
-        let mut arguments = lexopt::Parser::from_env();
         while let Some(argument) = arguments.next()? {
             match argument {
                 Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
@@ -102,11 +102,45 @@ impl Options {
 }
 
 fn parse_bits(text: &str) -> Result<u8, &'static str> {
-    text.parse().ok().filter(|bits| [1, 2, 4, 8].contains(bits)).ok_or("one of 1, 2, 4, 8")
+    text.parse().ok().filter(|bits| [1, 2, 4, 8].contains(bits)).ok_or("--bits takes one of 1, 2, 4, 8")
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), &'static str> {
     let size = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     let sides = 1..=1024;
-    size.filter(|(w, h)| sides.contains(w) && sides.contains(h)).ok_or("WIDTHxHEIGHT, from 1x1 to 1024x1024")
+    size.filter(|(w, h)| sides.contains(w) && sides.contains(h))
+        .ok_or("--size takes WIDTHxHEIGHT, from 1x1 to 1024x1024")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrong_arguments_are_told_in_a_line() {
+        let script = std::env::temp_dir().join(format!("paint-{}.txt", std::process::id()));
+        fs::write(&script, "# night\ncolor 200\n").expect("a file");
+        let script = script.display();
+        for (arguments, expected) in [
+            ("--size 0x0", r#"cannot parse argument "0x0": --size takes WIDTHxHEIGHT, from 1x1 to 1024x1024"#.into()),
+            (
+                "--size 1025x5",
+                r#"cannot parse argument "1025x5": --size takes WIDTHxHEIGHT, from 1x1 to 1024x1024"#.into(),
+            ),
+            ("--bits 3", r#"cannot parse argument "3": --bits takes one of 1, 2, 4, 8"#.into()),
+            ("--script", "missing argument for option '--script'".into()),
+            ("lake.txt", r#"unexpected argument "lake.txt""#.into()),
+            ("--script no-such-file.txt", "no-such-file.txt: ".into()),
+            ("--script assets/paint-demo.txt --output /no/such/folder/x.png", "/no/such/folder/x.png: ".into()),
+            (
+                &format!("--script {script}"),
+                format!("{script}: line 2: color 200 is not in 0 to 15, the colors of 4 bits"),
+            ),
+        ] {
+            let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
+            assert!(error.starts_with(&expected) && !error.contains('\n'), "{arguments}: {error}");
+        }
+        let help = run(lexopt::Parser::from_args(["--help"])).expect("help");
+        assert!(help.starts_with("usage: paint") && help.contains("line X Y X Y"), "{help}");
+    }
 }

@@ -11,7 +11,7 @@ use embedded_raster::{
     Index8,
 };
 use embedded_raster_simulator::{
-    show,
+    finish, show,
     world::{Depth, Layer, Map, Projection, Screen, World},
     Key, Picture, Shot,
 };
@@ -30,19 +30,13 @@ usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectan
 const EDGES: usize = 80;
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("world_map: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    finish("world_map", run(lexopt::Parser::from_env()))
 }
 
-fn run() -> Result<(), Box<dyn Error>> {
-    let Some(options) = Options::from_command_line()? else {
-        println!("{USAGE}");
-        return Ok(());
+/// Does what the arguments say, and returns what there is to say of it.
+fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
+    let Some(options) = Options::parse(arguments)? else {
+        return Ok(format!("{USAGE}\n"));
     };
     let map = match &options.input {
         None => Map::parse(include_bytes!("../assets/world-110m.txt"))?,
@@ -107,27 +101,29 @@ fn draw_as<C: Depth>(world: &World, options: &Options, turns: usize) -> Result<D
 }
 
 /// Says what it took and what was covered.
-fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Result<(), Box<dyn Error>> {
+fn report(map: &Map, world: &World, options: &Options, drawing: &Drawing) -> Result<String, Box<dyn Error>> {
     let Screen { projection, width, height } = options.screen;
     let mut table = [EdgeSlot::EMPTY; EDGES];
     let (areas, globe) = (world.areas(&mut table)?, world.globe(&mut table)?);
     let land: u64 = areas.iter().sum();
     let vertices: usize = map.countries.iter().flat_map(|country| &country.rings).map(Vec::len).sum();
     let what = if options.band.is_some() { "band" } else { "framebuffer" };
-    let bits = counted(options.bits as usize, "bit", "bits");
-    println!("{}: {width} x {height} at {bits} per pixel, {} projection", options.output, projection.name());
-    println!("RAM: {} bytes of {what}, {} of edge table", drawing.memory, size_of_val(&table));
-    let countries = counted(areas.len(), "country", "countries");
-    println!("drawn: {countries}, {}, {} pixels written", counted(vertices, "vertex", "vertices"), drawing.pixels);
-    println!("covered: {land} pixels of land, {} of sea", globe.saturating_sub(land));
     let mut sizes: Vec<_> = areas.iter().zip(map.countries.iter().map(|country| &country.name)).collect();
     sizes.sort_unstable_by_key(|&(&area, name)| (Reverse(area), name));
     let (seen, unseen) = sizes.split_at(sizes.partition_point(|(&area, _)| area > 0));
     let sized = |&(area, name): &(&u64, &String)| format!("{name} {area}");
-    println!("largest: {}", listed(seen.iter().take(3).map(sized)));
-    println!("smallest: {}", listed(seen.iter().rev().take(3).map(sized)));
-    println!("without a pixel: {}", listed(unseen.iter().map(|&(_, name)| name.clone())));
-    Ok(())
+    let bits = counted(options.bits as usize, "bit", "bits");
+    let (countries, vertices) = (counted(areas.len(), "country", "countries"), counted(vertices, "vertex", "vertices"));
+    let lines = [
+        format!("{}: {width} x {height} at {bits} per pixel, {} projection", options.output, projection.name()),
+        format!("RAM: {} bytes of {what}, {} of edge table", drawing.memory, size_of_val(&table)),
+        format!("drawn: {countries}, {vertices}, {} pixels written", drawing.pixels),
+        format!("covered: {land} pixels of land, {} of sea", globe.saturating_sub(land)),
+        format!("largest: {}", listed(seen.iter().take(3).map(sized))),
+        format!("smallest: {}", listed(seen.iter().rev().take(3).map(sized))),
+        format!("without a pixel: {}", listed(unseen.iter().map(|&(_, name)| name.clone()))),
+    ];
+    Ok(lines.map(|line| line + "\n").concat())
 }
 
 fn counted(n: usize, one: &str, many: &str) -> String {
@@ -143,7 +139,7 @@ fn listed(names: impl Iterator<Item = String>) -> String {
 }
 
 /// Shows the map in a window, and does what the keys say.
-fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
+fn watch(map: &Map, mut options: Options) -> Result<String, Box<dyn Error>> {
     let (mut turns, mut ticks, mut is_cycling) = (0, 0_u32, false);
     let first = shoot(map, &options, turns)?;
     show::<Box<dyn Error>>("world map", first, |keys| {
@@ -165,7 +161,8 @@ fn watch(map: &Map, mut options: Options) -> Result<(), Box<dyn Error>> {
         }
         is_new.then(|| shoot(map, &options, turns)).transpose()
     })
-    .map_err(|error| format!("{error} (a window needs a display; without --window, a file is written)").into())
+    .map_err(|error| format!("{error} (a window needs a display; without --window, a file is written)"))?;
+    Ok(String::new())
 }
 
 /// What the window shows, and what its title says of it.
@@ -194,13 +191,12 @@ struct Options {
 
 impl Options {
     /// `None` if help was asked for.
-    fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
+    fn parse(mut arguments: lexopt::Parser) -> Result<Option<Self>, lexopt::Error> {
         use lexopt::prelude::*;
         let screen = Screen { projection: Projection::default(), width: 320, height: 240 };
         let output = "world_map.png".into();
         let mut options =
             Self { bits: 4, screen, layer: Layer::Countries, band: None, input: None, output, window: false };
-        let mut arguments = lexopt::Parser::from_env();
         while let Some(argument) = arguments.next()? {
             match argument {
                 Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
@@ -222,21 +218,50 @@ impl Options {
 
 fn parse_bits(text: &str) -> Result<u32, &'static str> {
     let bits = text.parse().ok().filter(|bits| [1, 2, 4, 8, 16, 24, 32].contains(bits));
-    bits.ok_or("one of 1, 2, 4, 8, 16, 24, 32")
+    bits.ok_or("--bits takes one of 1, 2, 4, 8, 16, 24, 32")
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), &'static str> {
     let size = text.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     // Every depth draws as many in some hundred megabytes.
     let fits = |&(w, h): &(u16, u16)| w > 0 && h > 0 && u32::from(w) * u32::from(h) <= 1 << 25;
-    size.filter(fits).ok_or("WIDTHxHEIGHT, each from 1 to 65535, together at most 33554432 pixels")
+    size.filter(fits).ok_or("--size takes WIDTHxHEIGHT, each from 1 to 65535, together at most 33554432 pixels")
 }
 
 fn parse_rows(text: &str) -> Result<u16, &'static str> {
-    text.parse().ok().filter(|&rows| rows > 0).ok_or("rows from 1 on")
+    text.parse().ok().filter(|&rows| rows > 0).ok_or("--band takes rows from 1 to 65535")
 }
 
 fn parse_projection(text: &str) -> Result<Projection, &'static str> {
     let found = Projection::ALL.into_iter().find(|projection| projection.name() == text);
-    found.ok_or("equirectangular, robinson or miller")
+    found.ok_or("--projection takes equirectangular, robinson or miller")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrong_arguments_are_told_in_a_line() {
+        let size = "--size takes WIDTHxHEIGHT, each from 1 to 65535, together at most 33554432 pixels";
+        for (arguments, expected) in [
+            ("--size 0x0", &format!(r#"cannot parse argument "0x0": {size}"#)[..]),
+            ("--size 65535x65535", &format!(r#"cannot parse argument "65535x65535": {size}"#)),
+            ("--size 65536x1", &format!(r#"cannot parse argument "65536x1": {size}"#)),
+            ("--band 0", r#"cannot parse argument "0": --band takes rows from 1 to 65535"#),
+            ("--band 65536", r#"cannot parse argument "65536": --band takes rows from 1 to 65535"#),
+            ("--bits 3", r#"cannot parse argument "3": --bits takes one of 1, 2, 4, 8, 16, 24, 32"#),
+            ("--projection mercator", r#"cannot parse argument "mercator": --projection takes equirectangular,"#),
+            ("--input", "missing argument for option '--input'"),
+            ("map.txt", r#"unexpected argument "map.txt""#),
+            ("--input no-such-file.txt", "no-such-file.txt: "),
+            ("--input assets/paint-demo.txt", "assets/paint-demo.txt: line 4: `palette` is neither"),
+            ("--output /no/such/folder/x.png", "/no/such/folder/x.png: "),
+        ] {
+            let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
+            assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");
+        }
+        let help = run(lexopt::Parser::from_args(["--help"])).expect("help");
+        assert!(help.starts_with("usage: world_map"), "{help}");
+    }
 }

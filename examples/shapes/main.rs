@@ -12,7 +12,7 @@ use embedded_raster::{
     buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, raster::flood::FloodSlot, EdgeSlot, Framebuffer, Index1, Index2,
     Index4, Index8, Palette, PixelFormat,
 };
-use embedded_raster_simulator::Picture;
+use embedded_raster_simulator::{finish, Picture};
 use page::{Ink, EDGES, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
@@ -26,28 +26,19 @@ const COLORS: [u32; 9] =
     [0xf6_f1_e3, 0x1d_33_4a, 0xd1_49_5b, 0xed_ae_49, 0x66_a1_82, 0x2e_6f_95, 0x9b_5d_e5, 0xf1_5b_b5, 0x6b_70_5c];
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("shapes: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    finish("shapes", run(lexopt::Parser::from_env()))
 }
 
-fn run() -> Result<(), Box<dyn Error>> {
+/// Does what the arguments say, and returns what there is to say of it.
+fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let (mut bits, mut band, mut output) = (4, None, String::from("shapes.png"));
-    let mut parser = lexopt::Parser::from_env();
-    while let Some(argument) = parser.next()? {
+    while let Some(argument) = arguments.next()? {
         use lexopt::prelude::*;
         match argument {
-            Long("bits") => bits = parser.value()?.parse()?,
-            Long("band") => band = Some(parser.value()?.parse_with(parse_rows)?),
-            Long("output") => output = parser.value()?.string()?,
-            Long("help") | Short('h') => {
-                println!("{USAGE}");
-                return Ok(());
-            }
+            Long("bits") => bits = arguments.value()?.parse_with(parse_bits)?,
+            Long("band") => band = Some(arguments.value()?.parse_with(parse_rows)?),
+            Long("output") => output = arguments.value()?.string()?,
+            Long("help") | Short('h') => return Ok(format!("{USAGE}\n")),
             _ => return Err(argument.unexpected().into()),
         }
     }
@@ -58,21 +49,22 @@ fn run() -> Result<(), Box<dyn Error>> {
         8 => indexed::<Index8, 256>(band)?,
         16 => Picture::of(&Framebuffer::<Rgb565>::new(&mut drawn(band, color::<Rgb565>)?, WIDTH, HEIGHT)?),
         24 => Picture::of(&Framebuffer::<Rgb888>::new(&mut drawn(band, color::<Rgb888>)?, WIDTH, HEIGHT)?),
-        32 => Picture::of(&Framebuffer::<Xrgb8888>::new(&mut drawn(band, color::<Xrgb8888>)?, WIDTH, HEIGHT)?),
-        _ => return Err(format!("--bits {bits}: there are 1, 2, 4, 8, 16, 24 and 32").into()),
+        _ => Picture::of(&Framebuffer::<Xrgb8888>::new(&mut drawn(band, color::<Xrgb8888>)?, WIDTH, HEIGHT)?),
     };
     picture.write_png(&output)?;
     picture.show(100);
     let plural = if bits == 1 { "" } else { "s" };
-    println!(
-        "{output}: {WIDTH} x {HEIGHT} at {bits} bit{plural} per pixel, {EDGES} edges of {} bytes",
-        size_of::<EdgeSlot>()
-    );
-    Ok(())
+    let edges = format!("{EDGES} edges of {} bytes", size_of::<EdgeSlot>());
+    Ok(format!("{output}: {WIDTH} x {HEIGHT} at {bits} bit{plural} per pixel, {edges}\n"))
+}
+
+fn parse_bits(text: &str) -> Result<u32, &'static str> {
+    let bits = text.parse().ok().filter(|bits| [1, 2, 4, 8, 16, 24, 32].contains(bits));
+    bits.ok_or("--bits takes one of 1, 2, 4, 8, 16, 24, 32")
 }
 
 fn parse_rows(text: &str) -> Result<u16, &'static str> {
-    text.parse().ok().filter(|&rows| rows > 0).ok_or("rows from 1 to 65535")
+    text.parse().ok().filter(|&rows| rows > 0).ok_or("--band takes rows from 1 to 65535")
 }
 
 /// The bytes of the page; drawn in bands, they are put together as a display would.
@@ -127,6 +119,25 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn wrong_arguments_are_told_in_a_line() {
+        for (arguments, expected) in [
+            ("--band 0", r#"cannot parse argument "0": --band takes rows from 1 to 65535"#),
+            ("--band 65536", r#"cannot parse argument "65536": --band takes rows from 1 to 65535"#),
+            ("--bits 3", r#"cannot parse argument "3": --bits takes one of 1, 2, 4, 8, 16, 24, 32"#),
+            ("--bits x", r#"cannot parse argument "x": --bits takes one of 1, 2, 4, 8, 16, 24, 32"#),
+            ("--bits", "missing argument for option '--bits'"),
+            ("--size 3x3", "invalid option '--size'"),
+            ("page.png", r#"unexpected argument "page.png""#),
+            ("--output /no/such/folder/x.png", "/no/such/folder/x.png: "),
+        ] {
+            let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
+            assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");
+        }
+        let help = run(lexopt::Parser::from_args(["--help"])).expect("help");
+        assert!(help.starts_with("usage: shapes"), "{help}");
+    }
 
     /// Bands of any height show the page, but for what is poured.
     #[test]

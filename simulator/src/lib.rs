@@ -20,6 +20,7 @@
 //! ```
 
 mod difference;
+mod finish;
 pub mod paint;
 mod picture;
 mod png;
@@ -28,5 +29,6 @@ mod window;
 pub mod world;
 
 pub use difference::Difference;
+pub use finish::finish;
 pub use picture::{Picture, Pixels};
 pub use window::{show, watch, Event, Key, Shot, WindowError};

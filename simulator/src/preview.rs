@@ -1,6 +1,9 @@
 //! Pictures in a terminal, two pixels to a character: the upper one in the foreground of `▀`, the lower one behind it.
 
-use std::{fmt::Write, io::IsTerminal};
+use std::{
+    fmt::Write,
+    io::{stdout, IsTerminal, Write as _},
+};
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
@@ -9,8 +12,9 @@ use crate::picture::Picture;
 impl Picture {
     /// Prints the [`preview`](Self::preview) if the program writes to a terminal: a pipe or a file wants no colours.
     pub fn show(&self, columns: usize) {
-        if std::io::stdout().is_terminal() {
-            print!("{}", self.preview(columns));
+        if stdout().is_terminal() {
+            // A terminal that has gone needs no preview.
+            _ = stdout().write_all(self.preview(columns).as_bytes());
         }
     }
 
