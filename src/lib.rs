@@ -37,8 +37,3 @@ pub use embedded_graphics_core;
 /// The crate whose `I24F8` are places and widths, in the version that fits: a program that takes it from here need not name one.
 /// Whole numbers become an `I24F8` by [`px`].
 pub use fixed;
-
-/// The program in the README is tested too.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -7,7 +7,7 @@ use anyhow::{ensure, Context, Result};
 
 use crate::firmware::{project, Build, Opt};
 use crate::steps::step;
-use crate::{budget, proofs, scene, symbols, Chip};
+use crate::{budget, proofs, readme, scene, symbols, Chip};
 
 /// What a build may be switched by: `--cfg` of each. A build that is given none takes the ways of this computer.
 const SWITCHES: [&str; 2] = ["embedded_raster_compact", "embedded_raster_small_core"];
@@ -60,6 +60,7 @@ fn quick(switched_tests: &[&[&str]], switched_cases: u32) -> Result<()> {
         }
     }
     step("probe", proofs::probe)?;
+    step("the firmware in README.md", readme::build_firmware)?;
     step("symbols: Cortex-M0+ at opt-level s", || symbols::check_all(&[Chip::M0], &[Opt::Small]))?;
     step("budget", || budget::check(&budget::measure()?))
 }

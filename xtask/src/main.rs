@@ -14,6 +14,8 @@ Checks:
         all that a change must pass, as continuous integration runs it: about a quarter of an hour
     full
         the same with all tests in every build, on every chip at every opt-level: more than an hour
+    printed
+        build the firmware that README.md prints, as it is printed, for Cortex-M0+
     cross [--target CHIP]...
         build the crate for the chips
     probe
@@ -73,6 +75,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
+        Some("printed") => alone(args, readme::build_firmware),
         Some("readme") => alone(args, readme::update),
         Some("tour") => alone(args, readme::draw_tour),
         Some("check") => alone(args, checks::check),

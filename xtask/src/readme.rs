@@ -7,6 +7,7 @@
 //! | ... |                                       | ... |
 //! <!-- end -->                                  <!-- end -->
 //! ```
+//! The README also prints a firmware. It is the program of `firmware/readme`, letter by letter, and [`build_firmware`] builds that.
 
 use std::env;
 use std::fs;
@@ -15,7 +16,8 @@ use std::process::Command;
 
 use anyhow::{ensure, Context, Result};
 
-use crate::firmware::project;
+use crate::firmware::{self, project, Build, Opt, Program};
+use crate::Chip;
 
 const END: &str = "<!-- end -->";
 
@@ -35,6 +37,42 @@ pub fn draw_tour() -> Result<()> {
     let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
     ensure!(status.success(), "cargo ended with {status}");
     Ok(())
+}
+
+/// Builds the firmware that the README prints, as it is printed, for a core without compare-and-swap.
+pub fn build_firmware() -> Result<()> {
+    let printed = fs::read_to_string(project().join("README.md")).context("reading README.md")?;
+    let [built, manifest] = ["src/main.rs", "Cargo.toml"].map(|file| firmware::root().join("readme").join(file));
+    let read = |path: &PathBuf| fs::read_to_string(path).with_context(|| format!("reading {}", path.display()));
+    check_firmware(&printed, &read(&built)?, &read(&manifest)?)?;
+    firmware::build(&Program { package: "readme", bin: "readme" }, Build::new(Chip::M0, Opt::Small))?;
+    println!("the firmware in README.md builds for {}", Chip::M0);
+    Ok(())
+}
+
+/// Fails unless the program that a page prints is the one that is built, with the crates that its first line adds.
+fn check_firmware(page: &str, built: &str, manifest: &str) -> Result<()> {
+    let (_, rest) = page.split_once("```rust,ignore\n").context("README.md prints no firmware")?;
+    let (printed, _) = rest.split_once("```\n").context("the firmware in README.md has no end")?;
+    ensure!(printed == built, "README.md and firmware/readme/src/main.rs differ: copy the right one over the other");
+    let adding = format!("// {}", adding(manifest)?);
+    let first = printed.lines().next().unwrap_or_default();
+    ensure!(first == adding, "the firmware in README.md begins with `{first}`, its manifest asks for `{adding}`");
+    Ok(())
+}
+
+/// The command that adds the dependencies of a manifest, one a line, with their features.
+fn adding(manifest: &str) -> Result<String> {
+    let (_, dependencies) = manifest.split_once("[dependencies]\n").context("a manifest without dependencies")?;
+    let (mut names, mut features) = (String::from("cargo add"), String::new());
+    for (name, rest) in dependencies.lines().filter_map(|line| line.split_once(" = ")) {
+        names.extend([" ", name]);
+        let listed = rest.split_once("features = [").and_then(|(_, rest)| rest.split_once(']'));
+        for feature in listed.into_iter().flat_map(|(listed, _)| listed.split(", ")) {
+            features.extend([" -F ", name, "/", feature.trim_matches('"')]);
+        }
+    }
+    Ok(names + &features)
 }
 
 /// The README and the pages in `docs/`.
@@ -110,6 +148,20 @@ mod tests {
             assert!(filled.is_ok(), "{}: {filled:?}", page.display());
         }
         assert!(tables > 0, "there are some");
+    }
+
+    #[test]
+    fn the_firmware_that_is_printed_is_built() {
+        let read = |file: &str| fs::read_to_string(project().join(file)).expect(file);
+        let [page, program, manifest] =
+            ["README.md", "firmware/readme/src/main.rs", "firmware/readme/Cargo.toml"].map(read);
+        check_firmware(&page, &program, &manifest).expect("the same");
+        let refused = |page: &str, manifest: &str| check_firmware(page, &program, manifest).is_err();
+        assert!(refused(&page.replace("loop {", "loop  {"), &manifest), "one blank more");
+        assert!(refused(&page, &manifest.replace("panic-halt = \"1\"\n", "")), "a crate less");
+        assert!(refused(&page, &format!("{manifest}static_cell = \"2\"\n")), "a crate more");
+        assert!(refused(&page, &manifest.replace("single-core", "")), "another feature");
+        assert!(refused("no program", &manifest), "none");
     }
 
     #[test]
