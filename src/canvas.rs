@@ -43,6 +43,9 @@ use crate::{
 /// **Arguments.** First the shape, then options, then scratch memory, then the colour of all its pixels. Any other [`Paint`]
 /// goes through [`paint`](Self::paint).
 ///
+/// **Names.** A search in this documentation also finds methods by the names that they have in embedded-graphics, Adafruit GFX,
+/// `TFT_eSPI`, u8g2 and LVGL: `fillRect`, `drawFastHLine`, `drawPixel`, `bitBlt`.
+///
 /// Each method links only the code of its own shape. One that goes over a list of pixels is linked once for each kind of list:
 /// of [`Point`]s, of `(x, y)`.
 /// ```
@@ -83,12 +86,14 @@ pub trait Canvas: Surface {
     }
 
     /// Paints all pixels of the window.
+    #[doc(alias("clear", "cls", "fillScreen", "fill_screen", "clearDisplay", "clearBuffer"))]
     #[inline]
     fn fill_window(&mut self, color: Self::Color) {
         self.fill_area(self.window(), color);
     }
 
     /// Paints a pixel.
+    #[doc(alias("drawPixel", "draw_pixel", "setPixel", "set_pixel", "putPixel", "put_pixel"))]
     #[inline]
     fn draw_point(&mut self, at: impl Into<Point>, color: Self::Color) {
         self.set(at.into(), color);
@@ -101,6 +106,7 @@ pub trait Canvas: Surface {
     }
 
     /// Draws a line one pixel wide, both ends included: see [`line`](crate::raster::line) for which pixels.
+    #[doc(alias("drawLine", "line"))]
     #[inline]
     fn draw_line(&mut self, a: impl Into<Point>, b: impl Into<Point>, color: Self::Color) {
         let (a, b) = (a.into(), b.into());
@@ -109,6 +115,7 @@ pub trait Canvas: Surface {
 
     /// Draws lines from each point to the next. A point where two lines meet is painted twice, and a counter of pixels counts
     /// both.
+    #[doc(alias("polyline", "Polyline", "drawPolyline"))]
     fn draw_polyline(&mut self, points: impl IntoIterator<Item: Into<Point>>, color: Self::Color)
     where
         Self: Sized,
@@ -131,6 +138,7 @@ pub trait Canvas: Surface {
     /// assert_eq!(&ram, b"######..#..##...#...");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("drawPolygon"))]
     fn draw_polygon(&mut self, corners: impl IntoIterator<Item: Into<Point>>, color: Self::Color)
     where
         Self: Sized,
@@ -142,6 +150,7 @@ pub trait Canvas: Surface {
     }
 
     /// Draws the outline of a triangle: lines between its corners.
+    #[doc(alias("drawTriangle"))]
     #[inline]
     fn draw_triangle(&mut self, corners: [impl Into<Point>; 3], color: Self::Color) {
         let [a, b, c]: [Point; 3] = corners.map(Into::into);
@@ -160,13 +169,45 @@ pub trait Canvas: Surface {
     /// assert_eq!(&ram, b".####.#..#.#..#.####");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("drawRect", "draw_rect", "drawFrame", "stroke_rect"))]
     #[inline]
     fn draw_rectangle(&mut self, area: impl Into<Rect>, color: Self::Color) {
         let area = area.into();
         in_color(self, color, |window, brush| rectangle::outline(area, window, brush));
     }
 
-    /// Fills a rectangle of pixels.
+    /// Fills a rectangle of pixels. [`Rect::new`] takes its corners, [`Rect::with_size`] its first pixel and its size.
+    ///
+    /// One that is a pixel high is a horizontal line, and one that is a pixel wide a vertical one. [`draw_line`](Self::draw_line)
+    /// draws the same pixels between two ends, and links the code of all lines.
+    /// ```
+    /// use embedded_graphics_core::{geometry::{Point, Size}, pixelcolor::Gray8};
+    /// use embedded_raster::{Canvas, Framebuffer, Rect};
+    /// let mut ram = [b'.'; 20];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 4)?;
+    /// frame.fill_rectangle(Rect::with_size(Point::new(1, 1), Size::new(3, 2)), Gray8::new(b'#'));
+    /// frame.fill_rectangle(Rect::new(0, 3, 4, 4), Gray8::new(b'-')); // row 3, columns 0 to 3
+    /// frame.fill_rectangle(Rect::new(4, 0, 5, 4), Gray8::new(b'|')); // column 4, rows 0 to 3
+    /// assert_eq!(&ram, b"....|.###|.###|----|");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias(
+        "fillRect",
+        "fill_rect",
+        "fill_solid",
+        "drawBox",
+        "rect",
+        "hline",
+        "vline",
+        "h_line",
+        "v_line",
+        "drawHLine",
+        "drawVLine",
+        "drawFastHLine",
+        "drawFastVLine",
+        "draw_hline",
+        "draw_vline"
+    ))]
     #[inline]
     fn fill_rectangle(&mut self, area: impl Into<Rect>, color: Self::Color) {
         self.fill_area(area.into(), color);
@@ -180,6 +221,7 @@ pub trait Canvas: Surface {
     }
 
     /// Fills the triangle between the centres of three pixels.
+    #[doc(alias("fillTriangle"))]
     #[inline]
     fn fill_triangle(&mut self, corners: [impl Into<Point>; 3], color: Self::Color) {
         self.fill_triangle_fx(corners.map(|corner| PointFx::centre_of(corner.into())), color);
@@ -192,6 +234,7 @@ pub trait Canvas: Surface {
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).
+    #[doc(alias("circle", "drawCircle", "draw_circle", "drawEllipse"))]
     #[inline]
     fn draw_ellipse(&mut self, area: impl Into<Rect>, color: Self::Color) {
         let area = area.into();
@@ -208,12 +251,14 @@ pub trait Canvas: Surface {
     /// assert_eq!(&ram, b".###.##########.###.");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("disc", "disk", "fillCircle", "fill_circle", "drawDisc", "fillEllipse", "drawFilledEllipse"))]
     #[inline]
     fn fill_ellipse(&mut self, area: impl Into<Rect>, color: Self::Color) {
         self.fill_ellipse_fx(Ellipse::in_box(area.into()), color);
     }
 
     /// Fills a circle or an ellipse: see [`ellipse`](crate::raster::ellipse) for which pixels.
+    #[doc(alias("fillCircle", "fill_circle", "drawSpot", "fillSmoothCircle"))]
     #[inline]
     fn fill_ellipse_fx(&mut self, ellipse: Ellipse, color: Self::Color) {
         in_color(self, color, |window, brush| ellipse::fill(ellipse, window, brush));
@@ -251,6 +296,7 @@ pub trait Canvas: Surface {
     }
 
     /// Draws the part of the outline of the ellipse in a box that lies in a sector: see [`arc`](crate::raster::arc).
+    #[doc(alias("arc", "drawArc", "lv_draw_arc"))]
     #[inline]
     fn draw_arc(&mut self, area: impl Into<Rect>, sector: Sector, color: Self::Color) {
         let area = area.into();
@@ -268,6 +314,7 @@ pub trait Canvas: Surface {
     /// assert_eq!(&ram, b"...##....###...###..................");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("pie", "slice", "fillArc"))]
     #[inline]
     fn fill_sector(&mut self, area: impl Into<Rect>, sector: Sector, color: Self::Color) {
         self.fill_sector_fx(Ellipse::in_box(area.into()), sector, color);
@@ -280,6 +327,7 @@ pub trait Canvas: Surface {
     }
 
     /// Fills a ring: the pixels of the ellipse in the box `outer` that are not pixels of the ellipse in the box `inner`.
+    #[doc(alias("annulus", "donut", "doughnut"))]
     #[inline]
     fn fill_ring(&mut self, outer: impl Into<Rect>, inner: impl Into<Rect>, color: Self::Color) {
         self.fill_ring_fx(Ellipse::in_box(outer.into()), Ellipse::in_box(inner.into()), color);
@@ -292,6 +340,7 @@ pub trait Canvas: Surface {
     }
 
     /// Fills the part of a ring that lies in a sector, as seen from the centre of the box `outer`.
+    #[doc(alias("gauge", "drawArc", "drawSmoothArc", "lv_draw_arc"))]
     #[inline]
     fn fill_ring_sector(&mut self, outer: impl Into<Rect>, inner: impl Into<Rect>, sector: Sector, color: Self::Color) {
         self.fill_ring_sector_fx(Ellipse::in_box(outer.into()), Ellipse::in_box(inner.into()), sector, color);
@@ -304,6 +353,7 @@ pub trait Canvas: Surface {
     }
 
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.
+    #[doc(alias("drawRoundRect", "drawRFrame", "rounded_rectangle", "RoundedRectangle"))]
     #[inline]
     fn draw_rounded(&mut self, area: impl Into<Rect>, radii: Radii, color: Self::Color) {
         let area = area.into();
@@ -320,6 +370,7 @@ pub trait Canvas: Surface {
     /// assert_eq!(&ram, b".####################.#####.");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("fillRoundRect", "drawRBox", "rounded_rectangle", "RoundedRectangle", "fillSmoothRoundRect"))]
     #[inline]
     fn fill_rounded(&mut self, area: impl Into<Rect>, radii: Radii, color: Self::Color) {
         let area = area.into();
@@ -331,6 +382,7 @@ pub trait Canvas: Surface {
     ///
     /// # Errors
     /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then.
+    #[doc(alias("fillPolygon", "polygon"))]
     #[inline]
     fn fill_polygon(
         &mut self,
@@ -422,12 +474,14 @@ pub trait Canvas: Surface {
     /// assert_eq!(ram, rows.map(u16::to_be_bytes).concat()[..]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("bezier", "curve"))]
     #[inline]
     fn draw_quadratic_fx(&mut self, [a, c, b]: [PointFx; 3], color: Self::Color) {
         self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
     }
 
     /// Draws a cubic Bézier curve one pixel wide: start, two control points, end.
+    #[doc(alias("bezier", "curve", "spline"))]
     #[inline]
     fn draw_cubic_fx(&mut self, [a, c, d, b]: [PointFx; 4], color: Self::Color) {
         self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
@@ -475,6 +529,7 @@ pub trait Canvas: Surface {
     ///
     /// # Errors
     /// As for [`stroke_path_fx`](Self::stroke_path_fx). A solid line takes 4 slots with butt caps, 12 with square ones.
+    #[doc(alias("thick_line", "wide_line", "drawThickLine", "drawWideLine", "dashed_line", "stroke_width"))]
     #[inline]
     fn stroke_line_fx<D: Dashing>(
         &mut self,
@@ -491,6 +546,16 @@ pub trait Canvas: Surface {
 
     /// Copies a picture so that its top left pixel falls on `at`. What lies outside is clipped. The picture may have any
     /// layout, with colours of the same type; a view of one may start at any pixel, even within a byte.
+    #[doc(alias(
+        "bitBlt",
+        "bitblt",
+        "drawRGBBitmap",
+        "pushImage",
+        "draw_image",
+        "drawImage",
+        "lv_draw_image",
+        "sprite"
+    ))]
     #[inline]
     fn blit<M, L>(&mut self, at: impl Into<Point>, picture: &Frame<M, L>)
     where
@@ -502,6 +567,7 @@ pub trait Canvas: Surface {
     }
 
     /// [`blit`](Self::blit), but pixels of the colour `key` are transparent.
+    #[doc(alias("transparent", "color_key", "pushToSprite", "pushImage", "sprite"))]
     #[inline]
     fn blit_keyed<M, L>(&mut self, at: impl Into<Point>, picture: &Frame<M, L>, key: Self::Color)
     where
@@ -524,6 +590,7 @@ pub trait Canvas: Surface {
     /// assert_eq!(ram, [0x00, 0x90, 0x09, 0x99]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("drawBitmap", "drawXBitmap", "drawXBM", "draw_glyph", "drawChar", "icon"))]
     #[inline]
     fn blit_mask<M, F>(
         &mut self,
@@ -543,6 +610,7 @@ pub trait Canvas: Surface {
     /// Copies the pixels of `area` so that the top left one falls on `to`. Both areas may overlap. Pixels that nothing is copied
     /// to keep their colours; pixels that lie outside of the window, before or after, are left out. To scroll up by one row,
     /// move the whole window to `Point::new(0, -1)`.
+    #[doc(alias("scroll", "copy_rect", "copyRect"))]
     #[inline]
     fn move_area(&mut self, area: impl Into<Rect>, to: impl Into<Point>)
     where
@@ -574,6 +642,7 @@ pub trait Canvas: Surface {
     /// assert_eq!(ram, [0b1110_0000, 0b1101_0000, 0b1110_0000]);
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
+    #[doc(alias("floodFill", "bucket", "seed_fill"))]
     fn flood_fill(
         &mut self,
         seed: impl Into<Point>,
@@ -594,6 +663,7 @@ pub trait Canvas: Surface {
     /// have the new colour already are a boundary too, as nothing tells them from pixels that were painted.
     ///
     /// `table` and the result are as for [`flood_fill`](Self::flood_fill).
+    #[doc(alias("boundary_fill", "floodFill"))]
     fn flood_fill_to(
         &mut self,
         seed: impl Into<Point>,

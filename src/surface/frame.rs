@@ -119,6 +119,7 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
     }
 
     /// The colour of a pixel; `None` if it lies outside.
+    #[doc(alias("readPixel", "getPixel", "get_pixel", "pixel"))]
     #[inline]
     pub fn get(&self, p: impl Into<Point>) -> Option<L::Color> {
         let p = p.into();
@@ -245,6 +246,7 @@ impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
     }
 
     /// Paints all pixels of the window. Bytes between the rows of a larger stride stay untouched.
+    #[doc(alias("fillScreen", "fill_screen", "fill_window", "clearDisplay", "clearBuffer", "cls"))]
     #[inline]
     pub fn clear(&mut self, color: L::Color) {
         if let Some((rows, columns)) = self.places(self.window) {

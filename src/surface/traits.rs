@@ -46,9 +46,12 @@ pub trait Surface {
 
     /// Paints the pixels of a span that was clipped against [`window`](Self::window). Nothing keeps a program from clipping it
     /// against another rectangle: a [`Frame`] paints only what lies in its window.
+    #[doc(alias("hline", "h_line", "drawHLine", "drawFastHLine", "draw_hline"))]
     fn fill_span(&mut self, span: ClippedSpan, color: Self::Color);
 
-    /// Paints the pixels of `area` that lie in the window.
+    /// Paints the pixels of `area` that lie in the window. Shapes do it by this method; a program that wants a rectangle may call it
+    /// too, or [`Canvas::fill_rectangle`](crate::Canvas::fill_rectangle), which also takes a `Rectangle` of embedded-graphics.
+    #[doc(alias("fillRect", "fill_rect", "fill_rectangle", "fill_solid", "drawBox"))]
     #[inline]
     fn fill_area(&mut self, area: Rect, color: Self::Color) {
         let Rect { x0, y0, x1, y1 } = area.intersection(self.window());
@@ -86,7 +89,9 @@ pub trait Surface {
         true
     }
 
-    /// Paints one pixel; nothing if it lies outside.
+    /// Paints one pixel; nothing if it lies outside. [`Canvas::draw_point`](crate::Canvas::draw_point) does the same and also takes
+    /// `(x, y)`.
+    #[doc(alias("drawPixel", "draw_pixel", "setPixel", "set_pixel", "draw_point"))]
     #[inline]
     fn set(&mut self, p: Point, color: Self::Color) {
         if self.window().contains(p.x, p.y) {
@@ -95,6 +100,7 @@ pub trait Surface {
     }
 
     /// Paints the pixels of a span from left to right, each in a colour of its own: what `color_at` gives for the column.
+    #[doc(alias("pushColors", "pushPixels", "fill_contiguous"))]
     #[inline]
     fn write_span(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Self::Color)
     where
@@ -130,6 +136,7 @@ pub trait Surface {
 
     /// Copies a picture so that its top left pixel falls on `at`, all but the pixels of the colour `key`. What lies outside
     /// is clipped. The picture may have any layout, with colours of the same type.
+    #[doc(alias("bitBlt", "blit", "drawRGBBitmap", "pushImage"))]
     fn copy_picture<M, L>(&mut self, at: Point, picture: &Frame<M, L>, key: Option<Self::Color>)
     where
         Self: Sized,
@@ -143,6 +150,7 @@ pub trait Surface {
 
     /// Paints a picture of one bit per pixel so that its top left pixel falls on `at`: a set bit in the colour `on`, any other in
     /// the colour `off`, or not at all if `off` is `None`. What lies outside is clipped.
+    #[doc(alias("drawBitmap", "blit_mask", "drawXBitmap"))]
     fn copy_mask<M, F>(&mut self, at: Point, mask: &Frame<M, Rows<F>>, on: Self::Color, off: Option<Self::Color>)
     where
         Self: Sized,
@@ -189,15 +197,18 @@ where
 /// A surface whose pixels can be read: what flood fills, scrolling and blending need. A foreign `DrawTarget` is none.
 pub trait Readable: Surface {
     /// The colour of a pixel that lies in the window.
+    #[doc(alias("readPixel", "getPixel", "get_pixel"))]
     fn color_at(&self, x: i32, y: i32) -> Self::Color;
 
     /// The colour of a pixel; `None` if it lies outside.
+    #[doc(alias("readPixel", "getPixel", "get_pixel", "pixel"))]
     #[inline]
     fn get(&self, p: Point) -> Option<Self::Color> {
         self.window().contains(p.x, p.y).then(|| self.color_at(p.x, p.y))
     }
 
     /// Calls `read` with the colours of a span, from left to right.
+    #[doc(alias("readRect"))]
     #[inline]
     fn read_span(&self, span: ClippedSpan, mut read: impl FnMut(Self::Color))
     where
@@ -267,6 +278,7 @@ pub trait Readable: Surface {
 
     /// Copies the pixels of `area` so that the top left one falls on `to`, except those of the colour `key`. Both areas may
     /// overlap. Pixels that lie outside of the window, before or after, are left out.
+    #[doc(alias("scroll", "move_area", "copy_rect"))]
     fn copy_area(&mut self, area: Rect, to: Point, key: Option<Self::Color>) {
         let Some(plan) = Plan::within(self.window(), area, to) else { return };
         plan.each_pixel(|(to_x, to_y), (from_x, from_y)| {
