@@ -170,7 +170,7 @@ fn edge_tables_of_every_capacity() {
         let wanted = twins::polygon(&contours, rule, window);
         for capacity in 0..=count(&contours) + 1 {
             let overflow = (window.y0..window.y1)
-                .map(|row| (row, twins::sides_on_row(&contours, row)))
+                .map(|row| (row, twins::sides_on_row(&contours, window, row)))
                 .find(|&(_, needed)| needed > capacity);
             let got = filled(&contours, rule, window, capacity);
             if let Some((row, needed)) = overflow {
@@ -202,6 +202,38 @@ fn a_crowded_last_row_is_found_before_the_first_is_painted() {
     // What the window does not show needs no room.
     let above = Rect::new(0, 0, 48, 29);
     assert_eq!(filled(&contours, FillRule::EvenOdd, above, 2).as_ref(), Ok(&wanted[..29].to_vec()));
+}
+
+/// Sides right of the window change no pixel of it: they need no slot, whatever is missing at the end of a row then.
+#[test]
+fn sides_right_of_the_window_take_no_slot() {
+    let window = Rect::new(0, 0, 40, 30);
+    // Teeth as high as the window, each of them two sides, far right of it.
+    let comb = |teeth: i32, at: i32| -> Vec<Vec<Units>> {
+        let tooth = |i: i32| vec![(at + 9 * i, -500), (at + 9 * i + 5, -500), (at + 9 * i + 2, 9_000)];
+        (0..teeth).map(tooth).collect()
+    };
+    for rule in RULES {
+        for at in [39 * 256 + 129, 40 * 256, 100_000, i32::MAX - 9_000] {
+            let teeth = comb(50, at);
+            assert_eq!(filled(&teeth, rule, window, 0), Ok(vec![]), "{rule:?} at {at}");
+            // One unit further left the first side stands on the centres of the last column.
+            let refused = filled(&comb(1, 39 * 256 + 128), rule, window, 0);
+            assert_eq!(refused, Err(EdgeTableFull { capacity: 0, needed: 1, row: 0 }));
+        }
+        // A shape whose right end is not seen: one slot, and rows that end at the window's side.
+        let mut contours = comb(50, 41 * 256);
+        contours.push(vec![(700, 300), (60_000, 300), (60_000, 7_000), (1_200, 7_000)]);
+        let wanted = twins::polygon(&contours, rule, window);
+        assert_eq!(filled(&contours, rule, window, 1).as_ref(), Ok(&wanted), "{rule:?}");
+        // Two sides that go down, and both that go up are missing; in the middle of the rows the two cross.
+        let bowls = vec![
+            vec![(700, 300), (60_000, 300), (60_000, 7_000), (3_200, 7_000)],
+            vec![(2_700, 500), (60_000, 500), (60_000, 6_800), (1_200, 6_800)],
+        ];
+        let wanted = twins::polygon(&bowls, rule, window);
+        assert_eq!(filled(&bowls, rule, window, 2).as_ref(), Ok(&wanted), "{rule:?}");
+    }
 }
 
 #[test]

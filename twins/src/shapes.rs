@@ -125,9 +125,10 @@ pub fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run
     })
 }
 
-/// How many sides cross a row.
-pub fn sides_on_row(contours: &[Vec<Units>], y: i32) -> usize {
-    sides_at(contours, centre(y, ONE)).count()
+/// How many sides cross a row of a window, but for those that lie right of the centres of its last column as a whole.
+pub fn sides_on_row(contours: &[Vec<Units>], window: Rect, y: i32) -> usize {
+    let last = centre(window.x1 - 1, ONE);
+    sides_at(contours, centre(y, ONE)).filter(|(a, b)| i128::from(a.0.min(b.0)) <= last).count()
 }
 
 /// The pixels of a sub-pixel rectangle: left and top sides in, right and bottom sides out.

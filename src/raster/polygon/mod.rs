@@ -10,6 +10,9 @@
 //!                           |      |    |      |
 //!   row                 ....[======]....[======]....
 //! ```
+//! Sides that lie right of the window as a whole are left out. They change no pixel of it, but a span that would end at one of
+//! them has no right end, and goes to the side of the window.
+//!
 //! The table is the caller's. When more sides cross the window than it holds, the fill takes fewer rows at a time, in proportion.
 //! It fails only when a single row has too many sides, and it finds that out before it emits a span.
 //!
@@ -37,7 +40,7 @@ use crate::{
     error::EdgeTableFull,
     geom::{bits, PointFx},
     num::{
-        cast::{index, index_u16, signed, unsigned},
+        cast::{index, index_u16, saturate, signed, unsigned},
         round::first_centre_from,
     },
     span::{Rect, Sink, Span},
@@ -49,14 +52,19 @@ use crate::geom::fill_rule::FillRule;
 /// Whether waiting edges are sorted by buckets first, and two edges that are alone are followed over many rows.
 const SHORT_CUTS: bool = !COMPACT;
 
+/// The first column of places.
+const FIRST_COLUMN: i32 = i32::MIN >> 8;
+
 /// Emits the spans of a filled polygon that lie in `window`, top row first and each row from left to right.
 ///
 /// * `contours`: closed outlines, the last vertex joined to the first; any coordinates, any order. It is iterated several
 ///   times: pass something cheap to clone, such as `[&outline[..]]` or an iterator over the rings of a map.
-/// * `table`: scratch memory. Sides that touch no row of the window take no slot, so a low window needs a small table.
+/// * `table`: scratch memory. Sides that touch no row of the window take no slot, so a low window needs a small table; nor do
+///   sides that lie right of the window.
 ///
 /// # Errors
-/// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
+/// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds, those right of the window not counted.
+/// Nothing was emitted then.
 /// ```
 /// use embedded_raster::{raster::polygon, ClippedSpan, EdgeSlot, FillRule, PointFx, Rect};
 /// let outer = [(0, 0), (6, 0), (6, 4), (0, 4)].map(|(x, y)| PointFx::px(x, y));
@@ -98,13 +106,17 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    if window.is_empty() {
+    // A window left of all places shows nothing, and `load` would have no number for its last column.
+    if window.is_empty() || window.x1 <= FIRST_COLUMN {
         return Ok(());
     }
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
-    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| load(contours(Rect { y0, y1, ..window }), y0, y1, table);
+    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| {
+        let band = Rect { y0, y1, ..window };
+        load(contours(band), band, table)
+    };
     let whole = load(window.y0, window.y1, table);
     if whole.count <= table.len() {
         scan(table, &whole, rule, window, &mut sink);
@@ -168,15 +180,15 @@ fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
     signed(share).max(1)
 }
 
-/// What [`load`] found: sides that cross the band, and the rows that they cross there.
+/// What [`load`] found: sides that cross the band or lie left of it, and the rows that they cross there.
 struct Loaded {
     count: usize,
     first: i32,
     end: i32,
 }
 
-/// Fills the table with the sides that cross rows `top..bottom`; goes on counting when it is full.
-fn load<C>(contours: C, top: i32, bottom: i32, table: &mut [EdgeSlot]) -> Loaded
+/// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full.
+fn load<C>(contours: C, band: Rect, table: &mut [EdgeSlot]) -> Loaded
 where
     C: IntoIterator,
     C::Item: IntoIterator,
@@ -184,12 +196,16 @@ where
 {
     #[cfg(test)]
     crate::num::tally::add(crate::num::tally::Work::Band);
+    let Rect { y0: top, y1: bottom, .. } = band;
+    // The centres of the last column: what lies right of them has no crossing at or left of a centre. If the window goes beyond
+    // all places, nothing does.
+    let right = saturate((i64::from(band.x1) << 8).wrapping_sub(128));
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
     let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Edge);
         let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
-        if y >= end {
+        if y >= end || bits(a).0.min(bits(b).0) > right {
             return;
         }
         loaded.first = loaded.first.min(y);
@@ -286,11 +302,12 @@ impl Waiting {
 
 /// Paints the band whose sides were loaded.
 ///
-/// While only two edges are active, a round of the outer loop takes many rows, down to where one of them ends or another joins.
-/// What two edges of closed contours enclose is inside by either rule, as one goes up and the other down.
+/// While only two edges are active, a round of the outer loop takes many rows, down to where one of them ends or another joins:
+/// two that enclose a span, or one whose span goes to the side of the window.
 fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink: &mut impl Sink) {
     let Some(table) = table.get(..loaded.count) else { return };
     let mut waiting = Waiting::new(table, loaded);
+    let beyond = EdgeSlot::beyond();
     let (mut active, mut y) = (END, waiting.row);
     loop {
         let joining = if waiting.row == y { waiting.take(table) } else { END };
@@ -302,9 +319,9 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
             y = waiting.row;
             continue;
         }
-        let end = if SHORT_CUTS { last_of_two(table, active, y, waiting.row) } else { y.wrapping_add(1) };
+        let end = if SHORT_CUTS { last_of_two(table, active, y, waiting.row, rule) } else { y.wrapping_add(1) };
         let mut at = usize::from(active);
-        while let Some((mut left, mut right)) = next_pair(table, &mut at, rule) {
+        while let Some((mut left, mut right)) = next_pair(table, &beyond, &mut at, rule) {
             let mut row = y;
             loop {
                 if let Some(span) = (Span { y: row, x0: left.x(), x1: right.x() }).clip_columns(window) {
@@ -327,30 +344,38 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
     }
 }
 
-/// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them.
+/// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them. If its right end is not in
+/// the table, that is `beyond`.
 #[inline(always)]
-fn next_pair<'a>(table: &'a [EdgeSlot], at: &mut usize, rule: FillRule) -> Option<(&'a EdgeSlot, &'a EdgeSlot)> {
+fn next_pair<'a>(
+    table: &'a [EdgeSlot],
+    beyond: &'a EdgeSlot,
+    at: &mut usize,
+    rule: FillRule,
+) -> Option<(&'a EdgeSlot, &'a EdgeSlot)> {
     let left = table.get(*at)?;
-    let (mut right, mut winding) = (left, left.winding());
+    let mut winding = left.winding();
     *at = usize::from(left.link.get());
     while let Some(edge) = table.get(*at) {
         winding = winding.wrapping_add(edge.winding());
-        right = edge;
         *at = usize::from(edge.link.get());
         if winding & rule.mask() == 0 {
-            break;
+            return Some((left, edge));
         }
     }
-    Some((left, right))
+    Some((left, beyond))
 }
 
-/// The row after the last one on which the first two edges of a list are the only ones, from row y on.
+/// The row after the last one on which the first span of a list is the only one and has the same edges, from row y on.
 #[inline(always)]
-fn last_of_two(table: &[EdgeSlot], list: u16, y: i32, row: i32) -> i32 {
+fn last_of_two(table: &[EdgeSlot], list: u16, y: i32, row: i32, rule: FillRule) -> i32 {
     let Some(left) = get(table, list) else { return y };
     match get(table, left.link.get()) {
-        Some(right) if right.link.get() == END => row.min(left.end()).min(right.end()),
-        _ => y.wrapping_add(1),
+        None => row.min(left.end()),
+        Some(right) if right.link.get() == END && left.winding().wrapping_add(right.winding()) & rule.mask() == 0 => {
+            row.min(left.end()).min(right.end())
+        }
+        Some(_) => y.wrapping_add(1),
     }
 }
 
