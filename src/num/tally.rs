@@ -15,10 +15,12 @@ pub(crate) enum Work {
     Edge,
     /// Times that all pieces were gone through.
     Band,
+    /// Pixels of outlines of paths that were looked at.
+    Step,
 }
 
 thread_local! {
-    static DONE: Cell<[usize; 5]> = const { Cell::new([0; 5]) };
+    static DONE: Cell<[usize; 6]> = const { Cell::new([0; 6]) };
 }
 
 pub(crate) fn add(work: Work) {
@@ -28,8 +30,8 @@ pub(crate) fn add(work: Work) {
 }
 
 /// What was done by a call, in the order of [`Work`].
-pub(crate) fn of(call: impl FnOnce()) -> [usize; 5] {
-    DONE.set([0; 5]);
+pub(crate) fn of(call: impl FnOnce()) -> [usize; 6] {
+    DONE.set([0; 6]);
     call();
     DONE.get()
 }

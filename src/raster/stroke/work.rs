@@ -22,7 +22,9 @@ fn at(x: i32, y: i32) -> PointFx {
 fn work<D: Dashing>(path: &[PathSegment], stroke: &Stroke<D>, slots: usize) -> [usize; 5] {
     let mut table = vec![EdgeSlot::EMPTY; slots];
     let path = Path::new(path);
-    tally::of(|| fill(path, stroke, &mut table, WINDOW, |_: ClippedSpan| {}).expect("enough slots"))
+    let [roots, points, dashes, edges, bands, _] =
+        tally::of(|| fill(path, stroke, &mut table, WINDOW, |_: ClippedSpan| {}).expect("enough slots"));
+    [roots, points, dashes, edges, bands]
 }
 
 fn random_stroke(rng: &mut Rng) -> Stroke {
