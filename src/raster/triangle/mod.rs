@@ -152,6 +152,29 @@ mod tests {
         }
     }
 
+    /// Where a proof in `sums` ends: one row more, or half of the margin less or more, and a pixel would be wrong.
+    #[test]
+    fn sums_at_the_bounds_of_their_proofs() {
+        let window = Rect::new(0, 0, 200, 200);
+        // M + 1 is a multiple of dy, 2^15, on each row. On row 127, the first beyond the reach, a sum would be too large by 2^-15.
+        // On row k the slope passes the centre of pixel k, which is out.
+        let [solved, walked] = both([(128, 128), (128, 32_896), (32_896, 32_896)], window);
+        assert_eq!((walked.len(), solved[126]), (127, (127, 0, 127)));
+        assert_eq!(walked, solved);
+        // Tiny ones, with a remainder of (2^32 - 1) / dy close to dy: dx, dy, from a to the centre of row 0, and f.
+        let too_small_with_a_quarter =
+            [(4_157, 9_629, 120, 211), (4_179, 9_629, 81, 206), (3_858, 9_929, 165, 252), (3_950, 9_812, 7, 177)];
+        // On a row near the end M is a multiple of dy, or M + 1 is one.
+        let too_large_with_three_quarters =
+            [(-3_872, 9_929, 119, 0), (-4_140, 9_629, 57, 1), (-4_379, 9_437, 165, 1), (-4_705, 9_064, 177, 2)];
+        for (dx, dy, down, f) in too_small_with_a_quarter.into_iter().chain(too_large_with_three_quarters) {
+            let a = (20 * 256 + f + 128, 128 - down);
+            let [solved, walked] = both([a, (a.0, a.1 + dy / 2), (a.0 + dx, a.1 + dy)], window);
+            assert_eq!(walked, solved, "{dx} {dy} {down} {f}");
+            assert!(solved.len() > 30, "{} rows", solved.len());
+        }
+    }
+
     #[test]
     fn ends_of_the_type() {
         let (low, high) = (i32::MIN, i32::MAX);
