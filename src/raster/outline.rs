@@ -276,22 +276,31 @@ impl<S: Sink> Trace<S> {
         let (columns, rows) = if line.steep { ((y0, y1), (x0, x1)) } else { ((x0, x1), (y0, y1)) };
         let (low, high) = (columns.0.saturating_sub(MARGIN), columns.1.saturating_add(MARGIN));
         let (near, far) = if line.up { (low, high) } else { (high, low) };
-        let (mut at, end) = (line.later(first, near), line.sooner(last, far));
+        let (at, end) = (line.later(first, near), line.sooner(last, far));
         if line.leaves(rows) {
-            // What lies between its ends and the rows of the window is left out, but for the columns that can matter.
-            let (enter, leave) = line.seen(rows).unwrap_or((last, last));
-            for (from, to) in [(first, enter), (leave, last)] {
-                let (stop, next) = (line.after(from, MARGIN), line.after(to, -MARGIN));
-                if line.later(next, stop) == next {
-                    self.follow(&line, at, line.sooner(stop, end));
-                    at = line.later(at, next);
-                }
+            self.follow_parts(&line, rows, (first, last), (at, end));
+        } else {
+            self.follow(&line, at, end);
+        }
+    }
+
+    /// The pixels of a line that leaves the rows of the window. What lies between its ends and these rows is left out, but for
+    /// the columns that can matter.
+    #[cold]
+    #[inline(never)]
+    fn follow_parts(&mut self, line: &Line, rows: (i32, i32), (first, last): (i32, i32), (mut at, end): (i32, i32)) {
+        let (enter, leave) = line.seen(rows).unwrap_or((last, last));
+        let gap = |from: i32, to: i32| (line.after(from, MARGIN), line.after(to, -MARGIN));
+        for (stop, next) in [gap(first, enter), gap(leave, last), (end, end)] {
+            if line.later(next, stop) == next {
+                self.follow(line, at, line.sooner(stop, end));
+                at = line.later(at, next);
             }
         }
-        self.follow(&line, at, end);
     }
 
     /// The pixels of a line from one column to another.
+    #[inline(always)]
     fn follow(&mut self, line: &Line, mut at: i32, end: i32) {
         if at != end && line.later(at, end) == at {
             return;
