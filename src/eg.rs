@@ -181,7 +181,13 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
     true
 }
 
-/// Draws with this crate's shapes on any embedded-graphics target; each span becomes a `fill_solid` of one row.
+/// Draws with this crate's shapes on any embedded-graphics target. Each span becomes a `fill_solid` of one row; rows of the same
+/// columns that follow each other become one, and so do the pixels of a line that lie below each other.
+///
+/// **Work.** The window is the box that the target says it has. That is only a claim, and all of it counts as visible: a shape as
+/// high as a claim of 65,535 rows is followed over these rows, whether they have memory or not. Beyond that a shape costs what it
+/// costs on a frame, and the target gets at most one call for each span that a [`Counter`](crate::surface::Counter) with this
+/// window counts. A rectangle, the whole window, a horizontal or vertical line is one call.
 ///
 /// # Errors
 /// The first error of the target. Nothing is sent to the target after it.
@@ -197,8 +203,9 @@ fn advance(items: &mut impl Iterator, n: u64) -> bool {
 /// ```
 pub fn draw_on<D: DrawTarget, R>(target: &mut D, draw: impl FnOnce(&mut Target<'_, D>) -> R) -> Result<R, D::Error> {
     let window = target.bounding_box().into();
-    let mut surface = Target { display: target, window, error: None };
+    let mut surface = Target { display: target, window, next: None, error: None };
     let result = draw(&mut surface);
+    surface.flush();
     match surface.error {
         Some(error) => Err(error),
         None => Ok(result),
@@ -210,12 +217,25 @@ pub fn draw_on<D: DrawTarget, R>(target: &mut D, draw: impl FnOnce(&mut Target<'
 pub struct Target<'a, D: DrawTarget> {
     display: &'a mut D,
     window: Rect,
+    /// What is to be sent, once it is known that it does not go on below.
+    next: Option<(Rect, D::Color)>,
     error: Option<D::Error>,
 }
 
 impl<D: DrawTarget> Target<'_, D> {
     fn send(&mut self, area: Rect, color: D::Color) {
-        if self.error.is_none() {
+        if let Some((above, its_color)) = &mut self.next {
+            if (above.x0, above.x1, above.y1) == (area.x0, area.x1, area.y0) && *its_color == color {
+                above.y1 = area.y1;
+                return;
+            }
+        }
+        self.flush();
+        self.next = Some((area, color));
+    }
+
+    fn flush(&mut self) {
+        if let Some((area, color)) = self.next.take().filter(|_| self.error.is_none()) {
             self.error = self.display.fill_solid(&area.into(), color).err();
         }
     }
