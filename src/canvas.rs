@@ -46,6 +46,10 @@ use crate::{
 /// **Names.** A search in this documentation also finds methods by the names that they have in embedded-graphics, Adafruit GFX,
 /// `TFT_eSPI`, u8g2 and LVGL: `fillRect`, `drawFastHLine`, `drawPixel`, `bitBlt`.
 ///
+/// **Work.** A method costs what its function of [`raster`](crate::raster) costs, which is said there: it depends on what the window
+/// shows and on how much is passed, not on how far a shape goes outside. Lines, polygons and outlines made of lines cost a line for
+/// each corner. Blits and moves read and write once, at most, each pixel that lies in the window as well as in the picture.
+///
 /// Each method links only the code of its own shape. One that goes over a list of pixels is linked once for each kind of list:
 /// of [`Point`]s, of `(x, y)`.
 /// ```

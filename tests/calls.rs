@@ -3,7 +3,7 @@
 
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "random numbers, cut on purpose")]
 
-use std::{collections::BTreeSet, fs, path::Path as File};
+use std::{cell::Cell, collections::BTreeSet, fs, path::Path as File};
 
 use calls::{call, Arguments, NAMES};
 use embedded_graphics_core::{
@@ -17,8 +17,8 @@ use embedded_raster::{
         stroke::{Cap, Join},
     },
     surface::{Grid, Packed12, Pages, Planes, Rows},
-    Angle, EdgeSlot, Ellipse, Frame, Index1, Index2, Index4, Index8, Layout, PathSegment, PixelFormat, PointFx, Radii,
-    Rect, Sector, Stroke,
+    Angle, ClippedSpan, EdgeSlot, Ellipse, Frame, Index1, Index2, Index4, Index8, Layout, PathSegment, PixelFormat,
+    PointFx, Radii, Readable, Rect, Sector, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use twins::{
@@ -196,6 +196,89 @@ fn sequences_of_calls_are_the_same_through_a_wrapper() {
 #[test]
 fn sequences_of_calls_with_wild_arguments() {
     check_all(980, Size::Wild);
+}
+
+/// A surface that counts what is asked for.
+struct Counted<'a> {
+    inner: Frame<&'a mut [u8], Rows<Index4>>,
+    written: usize,
+    read: Cell<usize>,
+}
+
+impl Surface for Counted<'_> {
+    type Color = Index4;
+
+    fn window(&self) -> Rect {
+        self.inner.window()
+    }
+
+    fn fill_span(&mut self, span: ClippedSpan, color: Index4) {
+        self.written += span.len() as usize;
+        self.inner.fill_span(span, color);
+    }
+}
+
+impl Readable for Counted<'_> {
+    fn color_at(&self, x: i32, y: i32) -> Index4 {
+        self.read.set(self.read.get() + 1);
+        self.inner.color_at(x, y)
+    }
+}
+
+/// How often a call may write and read a pixel, on a window of so many columns and rows. What is new in the list and not here
+/// may paint each pixel of the window once, and read none.
+fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, answer: usize) -> (usize, usize) {
+    let (all, line) = (w * h, w.max(h));
+    match name {
+        "draw_line" | "fill_steps" => (line, 0),
+        "draw_triangle" => (3 * line, 0),
+        "draw_polyline" | "draw_polygon" => ((a.corners.len() + 1) * line, 0),
+        // A cubic curve passes a column three times, and a row.
+        "draw_path_fx" => ((a.segments.len() + 1) * 3 * (w + h), 0),
+        "draw_quadratic_fx" | "draw_cubic_fx" => (3 * (w + h), 0),
+        "draw_ellipse" | "draw_arc" | "draw_rounded" | "draw_rectangle" => (2 * (w + h), 0),
+        "draw_point" | "draw_point_fx" | "set" => (1, 0),
+        "blit" | "blit_keyed" | "copy_picture" => (all.min(9 * 8), 0),
+        "blit_mask" | "copy_mask" => (all.min(11 * 7), 0),
+        "move_area" | "move_area_keyed" | "copy_area" => (all, all),
+        "fill_span" | "write_span" | "write_some" => (w, 0),
+        "edit_span" => (w, w),
+        "read_span" | "find" | "find_start" => (0, w),
+        "color_at" | "get" => (0, 1),
+        // What is connected is painted once. With too few slots, how often it is read is counted in `raster::flood`.
+        "flood_fill" | "flood_fill_to" if answer > a.slots.len() => (all, usize::MAX),
+        "flood_fill" | "flood_fill_to" => (all, 9 * (all + 1)),
+        // A triangle, a box in outline, a line; and pixel by pixel, back again.
+        "draw_on" => (all + 2 * (w + h) + line, 0),
+        _ => (all, 0),
+    }
+}
+
+/// No call writes or reads more than the window and its arguments allow, whatever the arguments are.
+#[test]
+fn calls_write_and_read_what_the_window_shows() {
+    let mut rng = Rng::new(990);
+    let mut most = vec![0; NAMES.len()];
+    for _ in 0..cases(1_000) {
+        let mut bytes: Vec<u8> = (0..21 * 29).map(|_| if rng.one_in(3) { rng.bits() as u8 } else { 0 }).collect();
+        for (number, &name) in NAMES.iter().enumerate() {
+            let size = if rng.one_in(2) { Size::Wild } else { Size::Screen };
+            let window = if rng.one_in(2) { Rect::new(0, 0, 41, 29) } else { Rect::new(3, 2, 30, 25) };
+            let colors = [Index4::new(rng.below(16) as u8), Index4::new(rng.below(16) as u8)];
+            let mut borrowed = Borrowed::new(&mut rng, size);
+            let mut arguments = borrowed.arguments::<Rows<Index4>>(&mut rng, size, colors);
+            let mut frame = Frame::<_, Rows<Index4>>::new(&mut bytes[..], 41, 29).expect("the right size");
+            let mut counted = Counted { inner: frame.clipped(window), written: 0, read: Cell::new(0) };
+            let answer = call(&mut counted, &mut arguments, number);
+            let (written, read) = (counted.written, counted.read.get());
+            let (writes, reads) = bound(name, (window.width() as usize, window.height() as usize), &arguments, answer);
+            assert!(written <= writes, "{name} wrote {written} pixels, at most {writes}: answer {answer}");
+            assert!(read <= reads, "{name} read {read} pixels, at most {reads}: answer {answer}");
+            most[number] = most[number].max(written + read);
+        }
+    }
+    let idle: Vec<_> = NAMES.iter().zip(&most).filter(|(_, &most)| most == 0).map(|(&name, _)| name).collect();
+    assert_eq!(idle, ["fill_octants", "fill_corridor"], "shortcuts that a surface need not have, and no others");
 }
 
 /// The names of functions in a part of a source file, from a line on that begins a trait up to its end, or of all public ones.

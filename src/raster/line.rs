@@ -10,6 +10,8 @@
 //! the remainder of `(k db + h) / da` is the decision to go on from. No end is ever moved, so the visible pixels are those
 //! of the whole line.
 //!
+//! Work: the set-up, and one addition for each pixel in the window. A sink is called once.
+//!
 //! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`; a line that lies in the window
 //! takes none. Images built for size use `search`, which needs neither divisions nor products.
 //!

@@ -11,8 +11,11 @@
 //! **Lines** join two *pixels* and draw both: see [`mod@line`].
 //!
 //! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a
-//! [`Sink`](crate::Sink), which receives what lies in the window, and says in which order. Work depends on the window, not on
-//! the size of the coordinates, and no coordinate is moved into the window to achieve that.
+//! [`Sink`](crate::Sink), which receives what lies in the window, and says in which order.
+//!
+//! **Work** depends on the window, not on the size of the coordinates, and no coordinate is moved into the window to achieve that.
+//! Each module says how much it is; tests count it. Besides the pixels and the length of what is passed, the rows and columns of
+//! the window that a shape's box shares may count: a shape is followed over these rows, even if it lies between the pixels there.
 //!
 //! Functions named `extent` return a box that encloses a shape, without drawing it.
 
@@ -26,5 +29,7 @@ pub mod triangle;
 
 mod round;
 mod slope;
+#[cfg(test)]
+mod work;
 
 pub use self::round::{arc, ellipse, rounded};

@@ -1,4 +1,6 @@
 //! Rectangles: filled and in outline, by pixels; and the pixels of a rectangle between places.
+//!
+//! Work: comparisons. A sink is called once, with an area; for an outline four times at most.
 
 use crate::{
     geom::{bits, PointFx},

@@ -25,8 +25,12 @@ pub(super) fn merge(table: &[EdgeSlot], a: u16, mut b: u16) -> u16 {
     let first = Cell::new(a);
     let mut end = &first;
     while let Some(edge) = get(table, b) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         let order = edge.order();
         while let Some(left) = get(table, end.get()).filter(|left| left.order() <= order) {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             end = &left.link;
         }
         b = edge.link.replace(end.replace(b));
@@ -65,6 +69,8 @@ fn take_run(table: &[EdgeSlot], list: u16) -> (u16, u16) {
     let (mut first, mut low) = (list, last);
     let mut rest = last.link.get();
     while let Some(edge) = get(table, rest) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         let next = edge.link.get();
         if edge.order() >= last.order() {
             last.link.set(rest);

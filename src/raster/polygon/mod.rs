@@ -17,7 +17,8 @@
 //! It fails only when a single row has too many sides, and it finds that out before it emits a span.
 //!
 //! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
-//! their first rows are spread evenly; on each row the active sides, and `k log k` for the k of them that crossed another one.
+//! their first rows are spread evenly; on each row of the window the active sides, which are those that cross it and do not lie
+//! right of the window, and `k log k` for the k of them that crossed another one.
 //!
 //! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
 
@@ -327,6 +328,8 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
                 if let Some(span) = (Span { y: row, x0: left.x(), x1: right.x() }).clip_columns(window) {
                     sink.span(span);
                 }
+                #[cfg(test)]
+                crate::num::tally::add(crate::num::tally::Work::Step);
                 row = row.wrapping_add(1);
                 if row >= end {
                     break;
@@ -385,6 +388,8 @@ fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
     let (list, mut overtaken) = (Cell::new(active), END);
     let (mut end, mut last) = (&list, i32::MIN);
     while let Some(edge) = get(table, end.get()) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         if edge.end() <= y {
             end.set(edge.link.get());
             continue;

@@ -16,6 +16,8 @@
 //!
 //! Along a row, pixels change sides of a direction at most once. Bisection finds where.
 //!
+//! Work: that of the [ellipse](super::ellipse), of a ring that of both; and for each of its spans two bisections.
+//!
 //! Range: any ellipse, any angles.
 
 use fixed::types::I16F16;
@@ -215,6 +217,8 @@ fn split(curve: &Curve, sector: &Sector, span: ClippedSpan, sink: &mut impl Sink
         // The first pixel that lies on the other side of the direction than pixel x0.
         let (mut low, mut high) = (x0, x1);
         while low < high {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             let middle = low.wrapping_add(span_half(low, high));
             if is_after(direction, curve.u(middle), v) == at_start {
                 low = middle.wrapping_add(1);

@@ -66,6 +66,8 @@ impl Disc {
             while self.f < 0 {
                 self.f = self.f.wrapping_add(self.step);
                 self.step = self.step.wrapping_add(2);
+                #[cfg(test)]
+                crate::num::tally::add(crate::num::tally::Work::Step);
                 self.end = self.end.wrapping_add(1);
                 // Unrolled, the loop costs more than it saves: mostly it is taken once or not at all.
                 keep_rolled(ARMV7);
@@ -78,10 +80,14 @@ impl Disc {
                 }
                 self.f = before;
                 self.step = self.step.wrapping_sub(2);
+                #[cfg(test)]
+                crate::num::tally::add(crate::num::tally::Work::Step);
                 self.end = self.end.wrapping_sub(1);
                 keep_rolled(ARMV7);
             }
         }
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         self.f = self.f.wrapping_add(self.down);
         self.down = self.down.wrapping_add(2);
         let y = self.y;

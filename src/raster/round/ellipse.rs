@@ -27,6 +27,9 @@
 //! row the number of visible pixels inside of the curve grows, and later shrinks. Each pixel more or less is an addition and a
 //! comparison, so there are as many of these as visible rows and columns.
 //!
+//! Work: filled, twice as many of these rounds at most as there are rows and columns of the window in the box; in outline four
+//! times as many.
+//!
 //! Range: any box, any centre and radii. Circles up to a diameter of 32,768 pixels by their box or 256 by their radius, and
 //! ellipses up to 300 x 300, are followed in 32 bits, up to 65,536 (1,022 by radius) in 64, all others in 128.
 //!

@@ -135,6 +135,8 @@ impl<T: Number> Side<T> {
         while self.f < T::default() && self.count < self.max {
             self.f += self.step;
             self.step += second;
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             self.count = self.count.wrapping_add(1);
         }
         while self.count > 0 {
@@ -144,6 +146,8 @@ impl<T: Number> Side<T> {
                 return;
             }
             (self.f, self.step) = (before, step);
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             self.count = self.count.wrapping_sub(1);
         }
     }
@@ -169,6 +173,8 @@ impl<T: Number> Follower<T> {
     /// Pixels inside on this row; goes to the next.
     #[inline(always)]
     pub(super) fn row(&mut self) -> u32 {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         self.side.settle(self.second.0);
         self.side.f += self.down;
         self.down += self.second.1;

@@ -177,6 +177,8 @@ fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect,
             y = middle.y1;
             continue;
         }
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         let ((left, left_end), (right, right_end)) = (left.row(), right.row());
         let (x0, x1) = (area.x0.wrapping_add(signed(left)), area.x1.wrapping_sub(signed(right)));
         let whole = !OUTLINE || y == area.y0 || y == area.y1.wrapping_sub(1) || area.width() == 1;

@@ -21,6 +21,10 @@
 //! How crossings are found depends on the chip and the opt-level: by sums of fixed-point numbers where that is exact (the proof is
 //! in `sums`), or by quotient and remainder (`steps`). A build for size has the second way only.
 //!
+//! Work of [`fill`]: six divisions at most, or as many for each 64 rows of a larger one, and two additions for each row of the window
+//! between the highest and the lowest corner. Of [`walk`]: three additions for each pixel of the window in the box around the corners,
+//! in each row up to the right end of the triangle.
+//!
 //! Sources: "Rasterization Rules", Direct3D 11 documentation; J. Pineda, "A Parallel Algorithm for Polygon
 //! Rasterization", SIGGRAPH 1988 (edge functions).
 

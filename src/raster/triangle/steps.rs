@@ -23,6 +23,8 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
         let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
         let Some(mut short) = start(upper, lower, (y, end)) else { return };
         while y < end {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
             if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
                 sink.span(span);

@@ -44,6 +44,8 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
     loop {
         let (mut left, mut right) = if long_is_left { (long, short) } else { (short, long) };
         while y < end {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             let (x0, x1) = (left.x(), right.x());
             if let Some(span) = (Span { y, x0, x1 }).known_inside() {
                 sink.span(span);

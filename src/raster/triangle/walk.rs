@@ -88,6 +88,8 @@ where
     T: Copy + Default + PartialOrd + Add<Output = T> + AddAssign + BitOr<Output = T>,
 {
     for y in area.y0..area.y1 {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         let [mut e0, mut e1, mut e2] = sides.map(|e| e.value);
         let mut inside = |x: &mut i32, wanted: bool| {
             // The sign bit of all three together: negative as soon as one is.
@@ -95,6 +97,8 @@ where
                 e0 += sides[0].right;
                 e1 += sides[1].right;
                 e2 += sides[2].right;
+                #[cfg(test)]
+                crate::num::tally::add(crate::num::tally::Work::Step);
                 *x = x.wrapping_add(1);
             }
             *x
