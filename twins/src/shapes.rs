@@ -125,9 +125,14 @@ pub fn polygon(contours: &[Vec<Units>], rule: FillRule, window: Rect) -> Vec<Run
     })
 }
 
-/// How many sides cross a row of a window, but for those that lie right of the centres of its last column as a whole.
+/// How many sides cross a row of a window, but for those that lie right of the centres of its last column as a whole. No place lies
+/// in column 2^23 or beyond, so what a window shows there does not count.
 pub fn sides_on_row(contours: &[Vec<Units>], window: Rect, y: i32) -> usize {
-    let last = centre(window.x1 - 1, ONE);
+    let end = window.x1.min(1 << 23);
+    if window.x0 >= end {
+        return 0;
+    }
+    let last = centre(end - 1, ONE);
     sides_at(contours, centre(y, ONE)).filter(|(a, b)| i128::from(a.0.min(b.0)) <= last).count()
 }
 

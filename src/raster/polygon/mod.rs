@@ -41,7 +41,7 @@ use crate::{
     error::EdgeTableFull,
     geom::{bits, PointFx},
     num::{
-        cast::{index, index_u16, saturate, signed, unsigned},
+        cast::{index, index_u16, signed, unsigned},
         round::first_centre_from,
     },
     span::{Rect, Sink, Span},
@@ -53,8 +53,8 @@ use crate::geom::fill_rule::FillRule;
 /// Whether waiting edges are sorted by buckets first, and two edges that are alone are followed over many rows.
 const SHORT_CUTS: bool = !COMPACT;
 
-/// The first column of places.
-const FIRST_COLUMN: i32 = i32::MIN >> 8;
+/// Places lie in the columns from `-PLACES` up to this one.
+const PLACES: i32 = 1 << 23;
 
 /// Emits the spans of a filled polygon that lie in `window`, top row first and each row from left to right.
 ///
@@ -107,8 +107,9 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    // A window left of all places shows nothing, and `load` would have no number for its last column.
-    if window.is_empty() || window.x1 <= FIRST_COLUMN {
+    // There are sides in the columns of places only, and no pixel beside them is inside.
+    let window = Rect { x1: window.x1.min(PLACES), ..window };
+    if window.is_empty() || window.x1 <= -PLACES {
         return Ok(());
     }
     // Places in the table are 16 bits; the last one means "none".
@@ -198,9 +199,9 @@ where
     #[cfg(test)]
     crate::num::tally::add(crate::num::tally::Work::Band);
     let Rect { y0: top, y1: bottom, .. } = band;
-    // The centres of the last column: what lies right of them has no crossing at or left of a centre. If the window goes beyond
-    // all places, nothing does.
-    let right = saturate((i64::from(band.x1) << 8).wrapping_sub(128));
+    // The centres of the last column: what lies right of them has no crossing at or left of a centre. It is a coordinate, though
+    // the product may be 2^31.
+    let right = band.x1.wrapping_mul(256).wrapping_sub(128);
     let mut loaded = Loaded { count: 0, first: bottom, end: top };
     let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
         #[cfg(test)]
