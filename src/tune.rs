@@ -12,9 +12,9 @@
 //!   EMBEDDED_RASTER_TUNE = "size"
 //!   ```
 //! - `embedded_raster_small_core`, the ways of a chip that neither divides nor stores words at any address. Such chips take
-//!   them without it. It is there for tests.
+//!   them without it. It is there for tests: `build.rs` sets it where `EMBEDDED_RASTER_CORE` is `small`.
 //!
-//! `RUSTFLAGS="--cfg embedded_raster_small_core --cfg embedded_raster_compact" cargo test` takes both ways on any machine.
+//! `EMBEDDED_RASTER_CORE=small EMBEDDED_RASTER_TUNE=size cargo test` takes both ways on any machine.
 //!
 //! A module that has two ways chooses between them once, at its head: by a constant that is named for what it means there, or
 //! by the module that it uses.

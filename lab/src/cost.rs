@@ -27,6 +27,12 @@ pub(crate) fn measured<S, D>(engine: &mut dyn Engine<S, D>, shapes: &[S]) {
     engine.draw(black_box(shapes));
 }
 
+/// The same for work of any kind.
+#[inline(never)]
+pub(crate) fn measured_work(work: &mut dyn FnMut()) {
+    work();
+}
+
 /// Nanoseconds to draw the shapes once: the median of many runs, each long enough for the clock and shorter than the slices
 /// of a scheduler, so that most of them are left alone even on a busy machine.
 pub(crate) fn nanoseconds<S, D>(engine: &mut dyn Engine<S, D>, shapes: &[S], quick: bool) -> f64 {

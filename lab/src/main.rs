@@ -16,6 +16,7 @@ mod engine;
 mod frame;
 mod judge;
 mod oracle;
+mod plain;
 mod plot;
 mod report;
 mod shape;
@@ -42,12 +43,14 @@ cargo run --release -p lab -- [OPTIONS]
   --plots       plots in a quick run too
   --out FOLDER  where to write
   --time-only   no callgrind
+  --plain       only clears, rectangles and blits, beside `slice::fill` and `copy_from_slice`: printed
 ";
 
 struct Options {
     quick: bool,
     plots: bool,
     count: bool,
+    plain: bool,
     out: Option<PathBuf>,
     /// Draw one workload with one engine, for callgrind to count: `family/engine/workload`.
     child: Option<String>,
@@ -55,13 +58,14 @@ struct Options {
 
 fn options() -> Result<Options> {
     use lexopt::prelude::*;
-    let mut options = Options { quick: false, plots: false, count: true, out: None, child: None };
+    let mut options = Options { quick: false, plots: false, count: true, plain: false, out: None, child: None };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
             Long("plots") => options.plots = true,
             Long("time-only") => options.count = false,
+            Long("plain") => options.plain = true,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
             Long("help") | Short('h') => {
@@ -134,6 +138,7 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("strokes") => strokes(quick).child(name),
         Some("floods") => floods(quick).child(name),
         Some("memory") => memory(quick).child(name),
+        Some("plain") => plain::child(name),
         _ => false,
     };
     if !known {
@@ -233,6 +238,11 @@ fn main() -> Result<()> {
     let options = options()?;
     if let Some(name) = &options.child {
         return child(name, options.quick);
+    }
+    if options.plain {
+        let counter = if options.count { Counter::find(options.quick) } else { None };
+        println!("{}", plain::report(counter.as_ref())?);
+        return Ok(());
     }
     let report = measure(&options)?;
     let folder = match &options.out {

@@ -32,17 +32,37 @@ const LOOP_ENDS: f64 = 10.0;
 /// What is measured, as in the file without its last field, to the number.
 pub type Budgets = BTreeMap<String, f64>;
 
+/// How much is measured.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// The builds that most firmwares are.
+    Usual,
+    /// Those with `-C target-cpu` too.
+    All,
+}
+
+/// What stands in a chip's name for a build with `-C target-cpu`.
+const CPU: &str = "-cpu";
+
 /// Measures everything that has a budget. Frames must be those of this computer.
-pub fn measure() -> Result<Budgets> {
+pub fn measure(columns: Columns) -> Result<Budgets> {
     let mut all = Budgets::new();
+    let chips = CHIPS.map(|(_, chip)| chip);
+    let processors: &[bool] = if columns == Columns::All { &[false, true] } else { &[false] };
+    for &cpu in processors {
+        firmware::build_together("bench", &["cycles", "own", "scene"], &chips, Opt::Three, cpu)?;
+    }
+    firmware::build_with_frames(size::PACKAGE, &chips, Opt::Small)?;
     let host = scene::on_host()?;
     // Those of this crate.
     let features: Vec<String> = size::programs()?.into_iter().filter(|name| !name.starts_with("eg_")).collect();
     for (name, chip) in CHIPS {
         let build = Build::new(chip, Opt::Three);
         check_model(&run(&Program { package: "bench", bin: "cycles" }, build)?).with_context(|| chip.to_string())?;
-        speed(&mut all, name, build, &host)?;
-        speed(&mut all, &format!("{name}-cpu"), Build { cpu: true, ..build }, &host)?;
+        for &cpu in processors {
+            let name = format!("{name}{}", if cpu { CPU } else { "" });
+            speed(&mut all, &name, Build { cpu, ..build }, &host)?;
+        }
         for feature in size::features(&features, chip, Opt::Small)? {
             let name = format!("{name};s;{};", feature.name);
             let number = |bytes: i64| i32::try_from(bytes).map(f64::from);
@@ -90,11 +110,14 @@ fn check_model(output: &str) -> Result<()> {
     Ok(())
 }
 
-/// Compares with the file. Fails with a list of all that grew, that has no budget, or that is gone.
-pub fn check(measured: &Budgets) -> Result<()> {
+/// Measures, and compares with the file. Fails with a list of all that grew, that has no budget, or that is gone.
+pub fn check(columns: Columns) -> Result<()> {
+    let measured = &measure(columns)?;
     let path = path();
     let text = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
-    let wrong = differences(&parse(&text)?, measured);
+    let mut budgets = parse(&text)?;
+    budgets.retain(|name, _| columns == Columns::All || !is_of_processor(name));
+    let wrong = differences(&budgets, measured);
     if !wrong.is_empty() {
         bail!("{} of {} budgets:\n{wrong}write them anew with --bless", wrong.lines().count(), measured.len());
     }
@@ -111,6 +134,11 @@ pub fn bless(measured: &Budgets) -> Result<()> {
         let _ = writeln!(text, "{name};{number}");
     }
     fs::write(path(), text).with_context(|| format!("writing {}", path().display()))
+}
+
+/// Whether a number is one of a build with `-C target-cpu`.
+fn is_of_processor(name: &str) -> bool {
+    name.split(';').nth(1).is_some_and(|chip| chip.ends_with(CPU))
 }
 
 fn path() -> PathBuf {
@@ -160,6 +188,12 @@ mod tests {
         assert_eq!(with(100.0, 0.0), "", "less");
         assert_eq!(with(613.0, 0.0), "flash;m0;s;line;: 613, the budget is 600 (+2.2 %)\n");
         assert!(with(600.0, 4.0).contains("clear"), "anything is more than nothing");
+    }
+
+    #[test]
+    fn columns_are_known_by_the_chip() {
+        assert!(is_of_processor("cycles;m4-cpu;3;clear;rgb565"), "with a processor");
+        assert!(!is_of_processor("cycles;m4;3;clear;rgb565"), "without");
     }
 
     #[test]

@@ -1,16 +1,22 @@
 //! All checks in one command: [`check`] is what continuous integration runs, [`full`] what takes too long for every change.
 
 use std::process::Command;
+use std::thread;
 use std::time::Instant;
 
-use anyhow::{ensure, Context, Result};
+use anyhow::{anyhow, ensure, Context, Result};
 
+use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
 use crate::steps::step;
-use crate::{budget, proofs, readme, scene, symbols, Chip};
+use crate::{proofs, readme, scene, symbols, Chip};
 
-/// What a build may be switched by: `--cfg` of each. A build that is given none takes the ways of this computer.
-const SWITCHES: [&str; 2] = ["embedded_raster_compact", "embedded_raster_small_core"];
+/// A variable that `build.rs` reads, and its value.
+type Switch = (&'static str, &'static str);
+
+/// What a build may be switched by. A build that is given none takes the ways of this computer. Not flags of the compiler: by
+/// those cargo would compile everything that the tests depend on anew, windows of three systems among it.
+const SWITCHES: [Switch; 2] = [("EMBEDDED_RASTER_TUNE", "size"), ("EMBEDDED_RASTER_CORE", "small")];
 
 /// What [`check`] tests in each build that is switched: arguments of `cargo test`, of one call in each line. Filters go
 /// behind `--` and hold for all tests of their line.
@@ -22,15 +28,16 @@ const SWITCHED_CASES: u32 = 20;
 /// All that a change must pass, in some minutes.
 pub fn check() -> Result<()> {
     let start = Instant::now();
-    quick(SWITCHED_TESTS, SWITCHED_CASES)?;
+    quick(SWITCHED_TESTS, SWITCHED_CASES, Columns::Usual)?;
     passed(start);
     Ok(())
 }
 
-/// [`check`], with all tests in every build, and all proofs and frames on every chip at every opt-level; the lab.
+/// [`check`], with all tests in every build, and all proofs and frames on every chip at every opt-level; the budgets of builds for a
+/// processor; the lab.
 pub fn full() -> Result<()> {
     let start = Instant::now();
-    quick(&[&[]], 100)?;
+    quick(&[&[]], 100, Columns::All)?;
     step("cross: every chip", || Chip::ALL.into_iter().try_for_each(proofs::cross))?;
     step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
@@ -44,25 +51,42 @@ pub fn full() -> Result<()> {
     Ok(())
 }
 
-fn quick(switched_tests: &[&[&str]], switched_cases: u32) -> Result<()> {
+fn quick(switched_tests: &[&[&str]], switched_cases: u32, columns: Columns) -> Result<()> {
     cargo_step("format", &["fmt", "--all", "--check"])?;
+    // Side by side, in folders of their own: much of either is a single crate or a single test, which leaves a core idle.
+    thread::scope(|scope| {
+        let firmware = scope.spawn(|| on_chips(columns));
+        let tests = on_this_computer(switched_tests, switched_cases);
+        let firmware = firmware.join().map_err(|_| anyhow!("a step ended badly"))?;
+        tests.and(firmware)
+    })
+}
+
+fn on_this_computer(switched_tests: &[&[&str]], switched_cases: u32) -> Result<()> {
     cargo_step("clippy", &["clippy", "--workspace", "--all-targets"])?;
     cargo_step("clippy with defmt", &["clippy", "--package", "embedded-raster", "--features", "defmt"])?;
-    cargo_step("fuzz targets", &["check", "--manifest-path", "fuzz/Cargo.toml"])?;
+    // In the folder of the others: it depends on much that they do.
+    cargo_step("fuzz targets", &["check", "--manifest-path", "fuzz/Cargo.toml", "--target-dir", "target"])?;
     cargo_step("documentation", &["doc", "--workspace", "--no-deps"])?;
     cargo_step("tests", &["test", "--workspace"])?;
     for switches in switched() {
         for tests in switched_tests {
             let args = [&["test", "--package", "embedded-raster"], *tests].concat();
-            let mut cargo = cargo(&args, &switches);
-            cargo.env("EMBEDDED_RASTER_CASES", switched_cases.to_string());
-            step(&format!("tests with {}", switches.join(" and ")), || run(cargo))?;
+            let mut cargo = cargo(&args);
+            cargo.envs(switches.iter().copied()).env("EMBEDDED_RASTER_CASES", switched_cases.to_string());
+            let names: Vec<_> = switches.iter().map(|(variable, value)| format!("{variable}={value}")).collect();
+            step(&format!("tests with {}", names.join(" and ")), || run(cargo))?;
         }
     }
-    step("probe", proofs::probe)?;
+    Ok(())
+}
+
+fn on_chips(columns: Columns) -> Result<()> {
+    // All that the budgets measure at this level too: one call of cargo builds it.
+    step("symbols: Cortex-M at opt-level s", || symbols::check_all(&[Chip::M0, Chip::M4], &[Opt::Small]))?;
+    step("budget", || budget::check(columns))?;
     step("the firmware in README.md", readme::build_firmware)?;
-    step("symbols: Cortex-M0+ at opt-level s", || symbols::check_all(&[Chip::M0], &[Opt::Small]))?;
-    step("budget", || budget::check(&budget::measure()?))
+    step("probe", proofs::probe)
 }
 
 fn passed(start: Instant) {
@@ -70,7 +94,7 @@ fn passed(start: Instant) {
 }
 
 /// Every choice of switches but none of them.
-fn switched() -> impl Iterator<Item = Vec<&'static str>> {
+fn switched() -> impl Iterator<Item = Vec<Switch>> {
     let chosen =
         |choice: u32| (0..).zip(SWITCHES).filter(move |&(i, _)| choice >> i & 1 == 1).map(|(_, switch)| switch);
     (1..1 << SWITCHES.len()).map(move |choice| chosen(choice).collect())
@@ -78,18 +102,18 @@ fn switched() -> impl Iterator<Item = Vec<&'static str>> {
 
 /// A command of cargo as a step.
 fn cargo_step(name: &str, args: &[&str]) -> Result<()> {
-    step(name, || run(cargo(args, &[])))
+    step(name, || run(cargo(args)))
 }
 
-/// A command of cargo with some switches. Warnings are errors.
-fn cargo(args: &[&str], switches: &[&str]) -> Command {
-    let cfgs = switches.iter().flat_map(|switch| [" --cfg ", switch]).collect::<String>();
-    let flags = format!("--deny warnings{cfgs}");
+/// A command of cargo. Warnings are errors.
+fn cargo(args: &[&str]) -> Command {
+    let flags = "--deny warnings";
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(args).current_dir(project());
     // Cargo keeps what it built by these flags beside what it built by others. Other steps set flags of their own.
-    cargo.env("RUSTFLAGS", &flags).env("RUSTDOCFLAGS", &flags);
-    for variable in ["CARGO_ENCODED_RUSTFLAGS", "EMBEDDED_RASTER_TUNE", "EMBEDDED_RASTER_CASES"] {
+    cargo.env("RUSTFLAGS", flags).env("RUSTDOCFLAGS", flags);
+    for variable in ["CARGO_ENCODED_RUSTFLAGS", "EMBEDDED_RASTER_TUNE", "EMBEDDED_RASTER_CORE", "EMBEDDED_RASTER_CASES"]
+    {
         cargo.env_remove(variable);
     }
     // Nobody debugs these builds.
@@ -103,7 +127,8 @@ fn cargo(args: &[&str], switches: &[&str]) -> Command {
 
 /// Says what would do the same by hand, and does it.
 fn run(mut cargo: Command) -> Result<()> {
-    let variables = cargo.get_envs().filter(|(name, _)| *name == "RUSTFLAGS" || *name == "EMBEDDED_RASTER_CASES");
+    let variables =
+        cargo.get_envs().filter(|(name, _)| *name == "RUSTFLAGS" || name.to_string_lossy().starts_with("EMBEDDED_"));
     let variables = variables.filter_map(|(name, value)| Some(format!("{}=\"{}\" ", name.display(), value?.display())));
     let args: Vec<_> = cargo.get_args().map(|arg| arg.to_string_lossy()).collect();
     println!("{}cargo {}", variables.collect::<String>(), args.join(" "));

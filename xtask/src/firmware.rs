@@ -101,44 +101,85 @@ pub fn project() -> &'static Path {
 }
 
 /// Builds a program and returns where its ELF is.
-pub fn build(program: &Program<'_>, Build { chip, opt, cpu }: Build) -> Result<PathBuf> {
-    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+pub fn build(program: &Program<'_>, build: Build) -> Result<PathBuf> {
+    let Build { chip, opt, cpu } = build;
+    let mut cargo = Toolchain::find(chip)?.cargo_build(&[chip]);
     cargo.args(["--bin", program.bin]);
-    let mut target_dir = root().join("target");
     if cpu {
-        // In a folder of its own: another flag builds everything anew. It goes beside the flags of .cargo/config.toml.
-        target_dir.push("cpu");
-        cargo
-            .args(["--config", &format!("target.{}.rustflags=['-Ctarget-cpu={}']", chip.target(), chip.processor().0)]);
+        cargo.args(flags(&[chip], |chip| format!("'-Ctarget-cpu={}'", chip.processor().0)));
     }
-    Ok(cargo_build(cargo, program.package, &target_dir, chip, opt)?.join(program.bin))
+    let target_dir = target_dir(cpu);
+    cargo_build(cargo, program.package, &target_dir, &[chip], opt)?;
+    Ok(folder(&target_dir, chip, opt).join(program.bin))
+}
+
+/// Builds programs of a package for some chips by one call of cargo: what they share is compiled once, and what one core does
+/// alone for one chip, such as the core library, is done beside that of another. [`build`] then has nothing left to do.
+pub fn build_together(package: &str, bins: &[&str], chips: &[Chip], opt: Opt, cpu: bool) -> Result<()> {
+    each_toolchain(chips, |chips, mut cargo| {
+        cargo.args(bins.iter().flat_map(|bin| ["--bin", bin]));
+        if cpu {
+            cargo.args(flags(chips, |chip| format!("'-Ctarget-cpu={}'", chip.processor().0)));
+        }
+        cargo_build(cargo, package, &target_dir(cpu), chips, opt)
+    })
+}
+
+/// With a processor in a folder of its own: another flag builds everything anew.
+fn target_dir(cpu: bool) -> PathBuf {
+    root().join(if cpu { "target/cpu" } else { "target" })
 }
 
 /// Builds all programs of a package, with some of its features, and returns the folder of the ELFs.
 pub fn build_all(package: &str, features: &[&str], chip: Chip, opt: Opt) -> Result<PathBuf> {
-    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
+    let mut cargo = Toolchain::find(chip)?.cargo_build(&[chip]);
     cargo.args(["--bins", "--features", &features.join(",")]);
-    cargo_build(cargo, package, &root().join("target"), chip, opt)
+    cargo_build(cargo, package, &target_dir(false), &[chip], opt)?;
+    Ok(folder(&target_dir(false), chip, opt))
 }
 
-/// Builds all programs of a package with what [`frames`](crate::frames) reads, in a folder of their own, and returns it.
-pub fn build_with_frames(package: &str, chip: Chip, opt: Opt) -> Result<PathBuf> {
+/// Builds all programs of a package with what [`frames`](crate::frames) reads, in a folder of their own, and returns it for each
+/// chip.
+pub fn build_with_frames(package: &str, chips: &[Chip], opt: Opt) -> Result<Vec<PathBuf>> {
     let target_dir = root().join("target/frames");
-    let mut cargo = Toolchain::find(chip)?.cargo_build(chip);
-    // Beside the flags of .cargo/config.toml. One of them is unstable.
-    let flags = format!("target.{}.rustflags=['-Zemit-stack-sizes', '-Clink-arg=--emit-relocs']", chip.target());
-    cargo.args(["--bins", "--config", &flags]).env("RUSTC_BOOTSTRAP", "1");
-    cargo_build(cargo, package, &target_dir, chip, opt)
+    each_toolchain(chips, |chips, mut cargo| {
+        // One of them is unstable.
+        cargo.args(flags(chips, |_| "'-Zemit-stack-sizes', '-Clink-arg=--emit-relocs'".into()));
+        cargo.arg("--bins").env("RUSTC_BOOTSTRAP", "1");
+        cargo_build(cargo, package, &target_dir, chips, opt)
+    })?;
+    Ok(chips.iter().map(|&chip| folder(&target_dir, chip, opt)).collect())
 }
 
-/// Builds into a folder, and returns that of the ELFs.
-fn cargo_build(mut cargo: Command, package: &str, target_dir: &Path, chip: Chip, opt: Opt) -> Result<PathBuf> {
+/// Calls `work` with a command of cargo for all chips, or with one for each, if they need different toolchains.
+fn each_toolchain(chips: &[Chip], work: impl Fn(&[Chip], Command) -> Result<()>) -> Result<()> {
+    let toolchains = chips.iter().map(|&chip| Toolchain::find(chip)).collect::<Result<Vec<_>>>()?;
+    match &toolchains[..] {
+        [first, others @ ..] if others.iter().all(|other| other == first) => work(chips, first.cargo_build(chips)),
+        _ => chips.iter().zip(&toolchains).try_for_each(|(&chip, found)| work(&[chip], found.cargo_build(&[chip]))),
+    }
+}
+
+/// Flags of the compiler for each chip, beside those of `.cargo/config.toml`.
+fn flags(chips: &[Chip], flags: impl Fn(Chip) -> String) -> Vec<String> {
+    let flags = |&chip: &Chip| ["--config".into(), format!("target.{}.rustflags=[{}]", chip.target(), flags(chip))];
+    chips.iter().flat_map(flags).collect()
+}
+
+/// Builds into a folder.
+fn cargo_build(mut cargo: Command, package: &str, target_dir: &Path, chips: &[Chip], opt: Opt) -> Result<()> {
     cargo.args(["--quiet", "--package", package, "--profile", opt.profile()]);
     // Its folder matters: there is the configuration with the linker scripts.
     cargo.arg("--target-dir").arg(target_dir).current_dir(root());
     let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
     if !status.success() {
-        bail!("{package} does not build for {chip}: cargo ended with {status}");
+        let chips: Vec<_> = chips.iter().map(ToString::to_string).collect();
+        bail!("{package} does not build for {}: cargo ended with {status}", chips.join(" and "));
     }
-    Ok(target_dir.join(chip.target()).join(opt.profile()))
+    Ok(())
+}
+
+/// Where ELFs come to lie.
+fn folder(target_dir: &Path, chip: Chip, opt: Opt) -> PathBuf {
+    target_dir.join(chip.target()).join(opt.profile())
 }

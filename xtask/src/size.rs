@@ -92,7 +92,8 @@ pub struct Feature {
 
 /// Measures some programs, without their painted stack: that takes another build.
 pub fn features(programs: &[String], chip: Chip, opt: Opt) -> Result<Vec<Feature>> {
-    let folder = firmware::build_with_frames(PACKAGE, chip, opt)?;
+    let folders = firmware::build_with_frames(PACKAGE, &[chip], opt)?;
+    let folder = folders.first().context("the folder of a chip")?;
     let empty = Sections::of(&folder.join(EMPTY))?;
     let empty_frames = frames::deepest(&folder.join(EMPTY))?;
     let measure = |name: &String| {

@@ -39,9 +39,11 @@ const RULES: &[Rule] = &[
 
 /// Checks the firmwares of some chips at some opt-levels.
 pub fn check_all(chips: &[Chip], opts: &[Opt]) -> Result<()> {
-    for &chip in chips {
-        for &opt in opts {
-            check(chip, opt)?;
+    for &opt in opts {
+        // The same build as that of the budgets.
+        let folders = firmware::build_with_frames(size::PACKAGE, chips, opt)?;
+        for (&chip, folder) in chips.iter().zip(&folders) {
+            check(chip, folder)?;
             println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
         }
     }
@@ -49,9 +51,7 @@ pub fn check_all(chips: &[Chip], opts: &[Opt]) -> Result<()> {
 }
 
 /// Fails when a firmware has what it must not have.
-fn check(chip: Chip, opt: Opt) -> Result<()> {
-    // The same build as that of the budgets.
-    let folder = firmware::build_with_frames(size::PACKAGE, chip, opt)?;
+fn check(chip: Chip, folder: &Path) -> Result<()> {
     for program in size::programs()? {
         let names = names(&folder.join(&program))?;
         // Without symbols everything would pass.

@@ -37,10 +37,11 @@ impl Toolchain {
         self.ask(&["--version"])
     }
 
-    /// `cargo build` for a chip, in the environment that this toolchain needs.
-    pub(crate) fn cargo_build(&self, chip: Chip) -> Command {
+    /// `cargo build` for some chips, in the environment that this toolchain needs.
+    pub(crate) fn cargo_build(&self, chips: &[Chip]) -> Command {
         let mut cargo = Command::new(&self.cargo);
-        cargo.args(["build", "--target", chip.target()]).env("RUSTC", &self.rustc);
+        cargo.arg("build").env("RUSTC", &self.rustc);
+        cargo.args(chips.iter().flat_map(|chip| ["--target", chip.target()]));
         if self.builds_core {
             // What this needs is unstable, and stays the same from one release to the next.
             cargo.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
@@ -48,7 +49,9 @@ impl Toolchain {
         // Flags for the host would replace the linker scripts of .cargo/config.toml, and the library
         // path of the cargo that started this tool may belong to another compiler. What is measured
         // is what the opt-level chooses.
-        for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "LD_LIBRARY_PATH", "EMBEDDED_RASTER_TUNE"] {
+        for variable in
+            ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "LD_LIBRARY_PATH", "EMBEDDED_RASTER_TUNE", "EMBEDDED_RASTER_CORE"]
+        {
             cargo.env_remove(variable);
         }
         cargo
