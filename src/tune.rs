@@ -18,6 +18,9 @@
 //!
 //! A module that has two ways chooses between them once, at its head: by a constant that is named for what it means there, or
 //! by the module that it uses.
+//!
+//! What a hint says that it saves are instructions, counted without it when it was written. To see what it saves now, take it
+//! out and compare: `cargo xtask table` prints modelled cycles, and instructions beside them.
 
 #![cfg_attr(
     embedded_raster_compact,
