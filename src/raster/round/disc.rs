@@ -40,7 +40,8 @@ impl Disc {
         let odd = diameter & 1;
         let half = diameter.wrapping_add(odd) >> 1;
         Self {
-            f: (1 - odd).wrapping_sub(diameter.wrapping_mul(2)) >> 2,
+            // floor((1 - odd - 2 * diameter) / 4), where diameter = 2 * half - odd.
+            f: half.wrapping_neg(),
             step: 2 - odd,
             down: 2_i32.wrapping_sub(diameter),
             end: x1.wrapping_sub(half),
