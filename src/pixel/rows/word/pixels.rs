@@ -118,26 +118,29 @@ pub(in crate::pixel::rows) fn copy_keyed<F: PixelFormat>(to: &mut [u8], from: &[
 #[inline(always)]
 pub(in crate::pixel::rows) fn write<F: PixelFormat>(run: &mut [u8], mut next: impl FnMut() -> Option<u32>) {
     match F::BITS {
-        8 => each(run, |place| {
-            if let Some(bits) = next() {
-                *place = [low_u8(bits)];
-            }
-        }),
-        16 => each(run, |place| {
-            if let Some(bits) = next() {
-                *place = low_u16(bits).to_le_bytes();
-            }
-        }),
-        24 => each(run, |place| {
-            if let Some(bits) = next() {
-                *place = three(bits);
-            }
-        }),
-        _ => each(run, |place| {
-            if let Some(bits) = next() {
-                *place = bits.to_le_bytes();
-            }
-        }),
+        8 => write_each(run, || next().map(|bits| [low_u8(bits)])),
+        16 => write_each(run, || next().map(|bits| low_u16(bits).to_le_bytes())),
+        24 => write_each(run, || next().map(three)),
+        _ => write_each(run, || next().map(u32::to_le_bytes)),
+    }
+}
+
+/// The same for pixels of `N` bytes.
+///
+/// The inner loop ends at a pixel that is not given. So what `next` asks only after such a pixel, as a fused iterator asks
+/// whether it has ended, it does not ask at every pixel.
+#[inline(always)]
+fn write_each<const N: usize>(run: &mut [u8], mut next: impl FnMut() -> Option<[u8; N]>)
+where
+    [u8; N]: Pod,
+{
+    let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(run);
+    let mut places = pixels.iter_mut();
+    while places.len() > 0 {
+        for place in places.by_ref() {
+            let Some(pixel) = next() else { break };
+            *place = pixel;
+        }
     }
 }
 
