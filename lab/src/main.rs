@@ -241,7 +241,7 @@ fn main() -> Result<()> {
     }
     if options.plain {
         let counter = if options.count { Counter::find(options.quick) } else { None };
-        println!("{}", plain::report(counter.as_ref())?);
+        println!("{}", plain::report(counter.as_ref(), options.quick)?);
         return Ok(());
     }
     let report = measure(&options)?;

@@ -12,10 +12,13 @@ use embedded_graphics::{
     pixelcolor::{raw::RawU16, Gray8, Rgb565, Rgb888},
     prelude::*,
 };
-use embedded_raster::{Bitmap, Canvas, Framebuffer, Index4, PixelFormat, Rect, Surface};
+use embedded_raster::{pixel::Xrgb8888, Bitmap, Canvas, Framebuffer, Index4, PixelFormat, Rect, Surface};
 use indicatif::ProgressBar;
 
-use crate::cost::{measured_work, Counter};
+use crate::{
+    cost::{measured_work, Counter},
+    frame::INK,
+};
 
 /// What must not be exceeded.
 const LIMIT: f64 = 1.15;
@@ -27,7 +30,7 @@ const SIDES: [u16; 3] = [64, 320, 1024];
 const RUNS: usize = 101;
 const RUN_BYTES: usize = 1 << 18;
 
-/// The same work, done by this crate or by the standard library.
+/// The same work, done by this crate (`true`) or by the standard library.
 type Work = Box<dyn FnMut(bool)>;
 
 struct Case {
@@ -35,7 +38,8 @@ struct Case {
     format: &'static str,
     side: u16,
     bytes: usize,
-    work: Work,
+    /// Takes memory, so only for what is run.
+    make: Box<dyn Fn() -> Work>,
 }
 
 impl Case {
@@ -44,94 +48,97 @@ impl Case {
     }
 }
 
+/// Memory of a frame for each of the two.
+fn memories<F: PixelFormat, P: Pod>(side: u16, len: usize) -> (Framebuffer<'static, F>, &'static mut [P]) {
+    // Never given back: there are few of them, and a frame and its memory cannot be moved into one closure.
+    let [own, plain] = [(); 2].map(|()| vec![P::zeroed(); len].leak());
+    (Framebuffer::new(cast_slice_mut(own), side, side).expect("made for this size"), plain)
+}
+
+/// A picture, and its pixels.
+fn picture<F: PixelFormat, P: Pod>((width, height): (u16, u16), pixels: Vec<P>) -> (Bitmap<'static, F>, &'static [P]) {
+    let pixels: &[P] = pixels.leak();
+    (Bitmap::new(cast_slice(pixels), width, height).expect("made for this size"), pixels)
+}
+
 /// All of one format, whose pixels, or bytes of them, are a `P`: in black, and in an ink.
-fn cases<F: PixelFormat, P: Pod>(format: &'static str, side: u16, [black, ink]: [(F::Color, P); 2]) -> Vec<Case> {
-    let per_pixel = f64::from(F::BITS) / 8.0 / size_of::<P>() as f64;
-    let columns = |x: u16| (f64::from(x) * per_pixel) as usize;
+fn cases<F, P: Pod>(format: &'static str, side: u16, [black, ink]: [(F::Color, P); 2]) -> Vec<Case>
+where
+    F: PixelFormat,
+{
+    let columns = move |x: u16| usize::from(x) * F::BITS as usize / 8 / size_of::<P>();
     let stride = columns(side);
     let len = stride * usize::from(side);
     // Within the frame: two pixels from its sides, a pixel below its top and above its bottom.
     let inner = Rect::new(2, 1, i32::from(side) - 2, i32::from(side) - 1);
     let (left, width, height) = (columns(2), columns(side - 4), side - 2);
-    let case = |name, work| Case { name, format, side, bytes: len * size_of::<P>(), work };
-    let frame = move |memory: &mut Vec<P>, draw: &dyn Fn(&mut Framebuffer<F>)| {
-        let bytes = cast_slice_mut(black_box(memory.as_mut_slice()));
-        draw(&mut Framebuffer::new(bytes, side, side).expect("made for this size"));
+    let rows_of = move |memory: &mut [P], draw: &mut dyn FnMut(&mut [P])| {
+        let rows = black_box(memory).chunks_exact_mut(stride).skip(1).take(usize::from(height));
+        rows.for_each(|row| draw(&mut row[left..left + width]));
     };
-    let clear = |(color, pixel): (F::Color, P)| -> Work {
-        let mut memory = vec![P::zeroed(); len];
+    let clear = move |(color, pixel): (F::Color, P)| -> Work {
+        let (mut frame, memory) = memories::<F, P>(side, len);
         Box::new(move |own| {
             if own {
-                frame(&mut memory, &|frame| frame.clear(black_box(color)));
+                black_box(&mut frame).clear(black_box(color));
             } else {
-                black_box(memory.as_mut_slice()).fill(black_box(pixel));
+                black_box(&mut *memory).fill(black_box(pixel));
             }
         })
     };
-    let rectangle = |(color, pixel): (F::Color, P)| -> Work {
-        let mut memory = vec![P::zeroed(); len];
+    let rectangle = move |(color, pixel): (F::Color, P)| -> Work {
+        let (mut frame, memory) = memories::<F, P>(side, len);
         Box::new(move |own| {
             if own {
-                frame(&mut memory, &|frame| frame.fill_area(black_box(inner), black_box(color)));
-                return;
-            }
-            let pixel = black_box(pixel);
-            let rows = black_box(memory.as_mut_slice()).chunks_exact_mut(stride);
-            rows.skip(1).take(usize::from(height)).for_each(|row| row[left..left + width].fill(pixel));
-        })
-    };
-    let blit: Work = {
-        let (mut memory, picture) = (vec![P::zeroed(); len], vec![ink.1; len]);
-        Box::new(move |own| {
-            let picture = black_box(picture.as_slice());
-            if own {
-                let picture = Bitmap::<F>::new(cast_slice(picture), side, side).expect("made for this size");
-                frame(&mut memory, &|frame| frame.blit(black_box(Point::zero()), &picture));
+                black_box(&mut frame).fill_area(black_box(inner), black_box(color));
             } else {
-                black_box(memory.as_mut_slice()).copy_from_slice(picture);
+                let pixel = black_box(pixel);
+                rows_of(memory, &mut |row| row.fill(pixel));
             }
         })
     };
-    let blit_rows: Work = {
-        let (mut memory, picture) = (vec![P::zeroed(); len], vec![ink.1; width * usize::from(height)]);
+    let blit = move || -> Work {
+        let (mut frame, memory) = memories::<F, P>(side, len);
+        let (picture, pixels) = picture::<F, P>((side, side), vec![ink.1; len]);
         Box::new(move |own| {
-            let picture = black_box(picture.as_slice());
             if own {
-                let picture = Bitmap::<F>::new(cast_slice(picture), side - 4, height).expect("made for this size");
-                frame(&mut memory, &|frame| frame.blit(black_box(Point::new(2, 1)), &picture));
-                return;
-            }
-            let rows = black_box(memory.as_mut_slice()).chunks_exact_mut(stride).skip(1);
-            for (row, source) in rows.zip(picture.chunks_exact(width)) {
-                row[left..left + width].copy_from_slice(source);
+                black_box(&mut frame).blit(black_box(Point::zero()), black_box(&picture));
+            } else {
+                black_box(&mut *memory).copy_from_slice(black_box(pixels));
             }
         })
     };
+    let blit_rows = move || -> Work {
+        let (mut frame, memory) = memories::<F, P>(side, len);
+        let (picture, pixels) = picture::<F, P>((side - 4, height), vec![ink.1; width * usize::from(height)]);
+        Box::new(move |own| {
+            if own {
+                black_box(&mut frame).blit(black_box(Point::new(2, 1)), black_box(&picture));
+            } else {
+                let mut sources = black_box(pixels).chunks_exact(width);
+                rows_of(memory, &mut |row| row.copy_from_slice(sources.next().expect("as many rows")));
+            }
+        })
+    };
+    let case = |name, make| Case { name, format, side, bytes: len * size_of::<P>(), make };
     vec![
-        case("clear, black", clear(black)),
-        case("clear", clear(ink)),
-        case("rectangle, black", rectangle(black)),
-        case("rectangle", rectangle(ink)),
-        case("blit", blit),
-        case("blit, by rows", blit_rows),
+        case("clear, black", Box::new(move || clear(black))),
+        case("clear", Box::new(move || clear(ink))),
+        case("rectangle, black", Box::new(move || rectangle(black))),
+        case("rectangle", Box::new(move || rectangle(ink))),
+        case("blit", Box::new(blit)),
+        case("blit, by rows", Box::new(blit_rows)),
     ]
 }
 
 fn all() -> Vec<Case> {
     let colors = |side| {
-        let (b16, b24) = (RawU16::new(crate::frame::INK), Rgb888::new(1, 2, 3));
+        let (b16, b24, b32) = (RawU16::new(INK).into(), Rgb888::new(1, 2, 3), Xrgb8888::new(1, 2, 3));
         let mut all = cases::<Index4, u8>("4 bits", side, [(Index4::new(0), 0), (Index4::new(6), 0x66)]);
         all.extend(cases::<Gray8, u8>("8 bits", side, [(Gray8::new(0), 0), (Gray8::new(77), 77)]));
-        all.extend(cases::<Rgb565, u16>("16 bits", side, [(Rgb565::BLACK, 0), (b16.into(), crate::frame::INK)]));
+        all.extend(cases::<Rgb565, u16>("16 bits", side, [(Rgb565::BLACK, 0), (b16, INK)]));
         all.extend(cases::<Rgb888, [u8; 3]>("24 bits", side, [(Rgb888::BLACK, [0; 3]), (b24, [3, 2, 1])]));
-        all.extend(cases::<embedded_raster::pixel::Xrgb8888, u32>(
-            "32 bits",
-            side,
-            [
-                (embedded_raster::pixel::Xrgb8888::BLACK, 0),
-                (embedded_raster::pixel::Xrgb8888::new(1, 2, 3), 0x0001_0203),
-            ],
-        ));
+        all.extend(cases::<Xrgb8888, u32>("32 bits", side, [(Xrgb8888::BLACK, 0), (b32, 0x0001_0203)]));
         all
     };
     SIDES.into_iter().flat_map(colors).collect()
@@ -139,12 +146,13 @@ fn all() -> Vec<Case> {
 
 /// Does what callgrind is to count, if a case has this name.
 pub(crate) fn child(name: &str) -> bool {
-    for mut case in all() {
+    for case in all() {
         for own in [true, false] {
             if case.child(own) == name {
+                let mut work = (case.make)();
                 // The first time costs more: pages are touched.
-                (case.work)(own);
-                measured_work(&mut || (case.work)(own));
+                work(own);
+                measured_work(&mut || work(own));
                 return true;
             }
         }
@@ -153,13 +161,14 @@ pub(crate) fn child(name: &str) -> bool {
 }
 
 /// Nanoseconds of each, in turns: the best of many runs, as what disturbs a run only makes it longer.
-fn nanoseconds(case: &mut Case) -> [f64; 2] {
+fn nanoseconds(case: &Case) -> [f64; 2] {
+    let mut work = (case.make)();
     let times = RUN_BYTES.div_ceil(case.bytes);
     let mut best = [f64::INFINITY; 2];
     for _ in 0..RUNS {
         for (own, best) in [true, false].into_iter().zip(&mut best) {
             let start = Instant::now();
-            (0..times).for_each(|_| (case.work)(own));
+            (0..times).for_each(|_| work(own));
             *best = best.min(start.elapsed().as_nanos() as f64 / times as f64);
         }
     }
@@ -167,8 +176,9 @@ fn nanoseconds(case: &mut Case) -> [f64; 2] {
 }
 
 /// A table: time as many times that of the standard library, and instructions likewise.
-pub(crate) fn report(counter: Option<&Counter>) -> Result<String> {
+pub(crate) fn report(counter: Option<&Counter>, quick: bool) -> Result<String> {
     let mut all = all();
+    all.retain(|case| !quick || case.side == SIDES[0]);
     let children: Vec<_> = all.iter().flat_map(|case| [true, false].map(|own| case.child(own))).collect();
     let bar = ProgressBar::new(children.len() as u64);
     let counts = counter.map(|counter| counter.count(&children, &bar)).transpose()?.unwrap_or_default();
@@ -180,7 +190,7 @@ pub(crate) fn report(counter: Option<&Counter>) -> Result<String> {
     }
     let _ = write!(text, "\n|---|{}", "---:|".repeat(names.len()));
     let mut worst = (0.0, String::new());
-    for case in &mut all {
+    for case in &all {
         if case.name == names[0] {
             let _ = write!(text, "\n| {}, {} |", case.side, case.format);
         }
