@@ -90,12 +90,8 @@ pub(crate) fn copy_rows<F: PixelFormat>(
     (n, rows): (usize, usize),
 ) {
     if F::BITS < 8 {
-        for i in 0..rows {
-            let to_row = to_row.wrapping_add(i.wrapping_mul(to_stride));
-            let from_row = from_row.wrapping_add(i.wrapping_mul(from_stride));
-            packed::copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
-        }
-        return;
+        let (to, from) = ((to, to_stride), (from, from_stride));
+        return packed::copy_rows::<F>(to, (to_row, to_x), from, (from_row, from_x), (n, rows));
     }
     let below = rows.wrapping_sub(1);
     let (start, from_start) = (byte::<F>(to_row, to_x), byte::<F>(from_row, from_x));

@@ -8,7 +8,11 @@
 //! ends and a plain middle.
 
 use super::word;
-use crate::{num::cast::low_u8, pixel::format::PixelFormat, tune::COMPACT};
+use crate::{
+    num::cast::low_u8,
+    pixel::format::PixelFormat,
+    tune::{COMPACT, VECTORS},
+};
 
 /// How many bytes are copied at once where there are as many; built for size, one after the other.
 const GROUP: usize = if COMPACT { usize::MAX } else { 4 };
@@ -221,6 +225,47 @@ pub(super) fn copy<F: PixelFormat>(
     n: usize,
 ) {
     copy_masked::<F>(to, to_place, from, from_place, n, |_| u32::MAX);
+}
+
+/// Copies rows, at least one, that start a stride apart: each memory comes with its own.
+#[inline(always)]
+pub(super) fn copy_rows<F: PixelFormat>(
+    (to, to_stride): (&mut [u8], usize),
+    (to_row, to_x): (usize, usize),
+    (from, from_stride): (&[u8], usize),
+    (from_row, from_x): (usize, usize),
+    (n, rows): (usize, usize),
+) {
+    let mut columns = |x: usize, n: usize| {
+        for i in 0..rows {
+            let to_row = to_row.wrapping_add(i.wrapping_mul(to_stride));
+            let from_row = from_row.wrapping_add(i.wrapping_mul(from_stride));
+            let (to_x, from_x) = (to_x.wrapping_add(x), from_x.wrapping_add(x));
+            copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
+        }
+    };
+    // Pixels before the first whole byte, and after the last.
+    let head = to_x.wrapping_neg() & last_in_byte::<F>();
+    let whole = n.saturating_sub(head) >> byte_shift::<F>();
+    if !VECTORS || whole == 0 || in_byte::<F>(to_x) != in_byte::<F>(from_x) {
+        return columns(0, n);
+    }
+    let after = head.wrapping_add(whole << byte_shift::<F>());
+    if head > 0 {
+        columns(0, head);
+    }
+    if after < n {
+        columns(after, n.wrapping_sub(after));
+    }
+    // Bytes that hold the same pixels in both.
+    let start = |row: usize, x: usize| row.wrapping_add(x.wrapping_add(head) >> byte_shift::<F>());
+    let len = |stride: usize| rows.wrapping_sub(1).wrapping_mul(stride).wrapping_add(whole);
+    let (start, from_start) = (start(to_row, to_x), start(from_row, from_x));
+    let to = to.get_mut(start..start.wrapping_add(len(to_stride)));
+    let from = from.get(from_start..from_start.wrapping_add(len(from_stride)));
+    if let (Some(to), Some(from)) = (to, from) {
+        word::copy_rows((to, to_stride), (from, from_stride), (whole, rows));
+    }
 }
 
 /// Copies the pixels that differ from `key`.

@@ -5,14 +5,22 @@ use bytemuck::{cast, cast_mut, cast_ref, pod_align_to, pod_align_to_mut};
 use super::strips::{copy_strips, STRIPS};
 use crate::{
     pixel::rows::word::parts::{copy_each, each_pair_of_rows},
-    tune::UNALIGNED,
+    tune::{UNALIGNED, VECTORS},
 };
+
+/// Computers copy rows of at least this many bytes by `memcpy`: shorter ones do not pay for the call.
+const CALL: usize = 32;
 
 /// Copies `rows` rows of `len` bytes, the first ones at the start of each memory and the others a stride after the last;
 /// both memories end with the last row.
 #[inline(never)]
 pub(in crate::pixel::rows) fn copy_rows(to: (&mut [u8], usize), from: (&[u8], usize), (len, rows): (usize, usize)) {
-    if UNALIGNED && len >= STRIPS && to.1 >= 64 && from.1 >= 64 && to.1.is_multiple_of(4) {
+    if VECTORS && len >= CALL {
+        // Rows without gaps are one long run.
+        let run = len == to.1 && len == from.1;
+        let (len, rows) = if run { (len.wrapping_mul(rows), 1) } else { (len, rows) };
+        each_pair_of_rows(to, from, (len, rows), |to, from| to.copy_from_slice(from));
+    } else if UNALIGNED && len >= STRIPS && to.1 >= 64 && from.1 >= 64 && to.1.is_multiple_of(4) {
         copy_strips(to, from, (len, rows));
     } else if UNALIGNED {
         each_pair_of_rows(to, from, (len, rows), copy_unaligned);

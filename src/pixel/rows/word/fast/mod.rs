@@ -15,7 +15,14 @@ use self::{
     words::fill_words,
 };
 use super::parts::{each_row, put_ends, turned};
-use crate::tune::UNALIGNED;
+use crate::{
+    num::cast::low_u8,
+    tune::{UNALIGNED, VECTORS},
+};
+
+/// Bytes of a run, and of each row of a rectangle, from which on `memset` pays.
+const RUN: usize = 128;
+const ROW: usize = 33;
 
 /// Fills one run with a pattern of 1, 2 or 4 bytes, given as the word that starts at its first byte; the length is a
 /// multiple of the pattern's.
@@ -26,6 +33,9 @@ use crate::tune::UNALIGNED;
 pub(in crate::pixel::rows) fn fill_span(run: &mut [u8], word: u32) {
     if UNALIGNED && run.len() <= 32 || run.len() <= 16 {
         return fill_short(run, word);
+    }
+    if is_for_memset(run.len(), word, RUN) {
+        return run.fill(low_u8(word));
     }
     if UNALIGNED {
         put_ends(run, word.to_le_bytes());
@@ -38,6 +48,13 @@ pub(in crate::pixel::rows) fn fill_span(run: &mut [u8], word: u32) {
         fill_end(tail, turned);
         fill_words(middle, turned.to_le());
     }
+}
+
+/// Whether a run of so many bytes is filled by `memset`: on computers, where all bytes of the word are equal. It knows wider
+/// vectors than those that every processor has. Shorter runs do not pay for the call.
+#[inline(always)]
+fn is_for_memset(len: usize, word: u32, least: usize) -> bool {
+    VECTORS && len >= least && word == turned(word, 1)
 }
 
 /// 0 to 32 bytes.
@@ -70,7 +87,11 @@ fn fill_end(run: &mut [u8], word: u32) {
 
 /// The rows of a rectangle, with a pattern of 1, 2 or 4 bytes. Rows without a gap are one long run.
 pub(in crate::pixel::rows) fn fill_rows(memory: &mut [u8], stride: usize, len: usize, word: u32) {
-    if len == stride && UNALIGNED && memory.len() >= LONG {
+    if len == stride && is_for_memset(memory.len(), word, RUN) {
+        memory.fill(low_u8(word));
+    } else if is_for_memset(len, word, ROW) {
+        each_row(memory, stride, len, |row| row.fill(low_u8(word)));
+    } else if len == stride && UNALIGNED && memory.len() >= LONG {
         fill_long(memory, word);
     } else if len == stride {
         fill_span(memory, word);
