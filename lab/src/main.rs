@@ -46,11 +46,18 @@ cargo run --release -p lab -- [OPTIONS]
   --plain       only clears, rectangles and blits, beside `slice::fill` and `copy_from_slice`: printed
 ";
 
+/// What is measured.
+#[derive(PartialEq, Eq)]
+enum What {
+    Report,
+    Plain,
+}
+
 struct Options {
     quick: bool,
     plots: bool,
     count: bool,
-    plain: bool,
+    what: What,
     out: Option<PathBuf>,
     /// Draw one workload with one engine, for callgrind to count: `family/engine/workload`.
     child: Option<String>,
@@ -58,14 +65,14 @@ struct Options {
 
 fn options() -> Result<Options> {
     use lexopt::prelude::*;
-    let mut options = Options { quick: false, plots: false, count: true, plain: false, out: None, child: None };
+    let mut options = Options { quick: false, plots: false, count: true, what: What::Report, out: None, child: None };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
             Long("plots") => options.plots = true,
             Long("time-only") => options.count = false,
-            Long("plain") => options.plain = true,
+            Long("plain") => options.what = What::Plain,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
             Long("help") | Short('h') => {
@@ -239,7 +246,7 @@ fn main() -> Result<()> {
     if let Some(name) = &options.child {
         return child(name, options.quick);
     }
-    if options.plain {
+    if options.what == What::Plain {
         let counter = if options.count { Counter::find(options.quick) } else { None };
         println!("{}", plain::report(counter.as_ref(), options.quick)?);
         return Ok(());

@@ -12,7 +12,7 @@ pub(crate) mod walk;
 mod word;
 
 use super::format::{byte, has_unused_bits, PixelFormat};
-use crate::tune::COMPACT;
+use crate::tune::{COMPACT, VECTORS};
 
 /// Whether an area of one row is filled as a run.
 const RUNS: bool = !COMPACT;
@@ -91,7 +91,12 @@ pub(crate) fn copy_rows<F: PixelFormat>(
 ) {
     if F::BITS < 8 {
         let (to, from) = ((to, to_stride), (from, from_stride));
-        return packed::copy_rows::<F>(to, (to_row, to_x), from, (from_row, from_x), (n, rows));
+        if VECTORS {
+            packed::copy_bytes::<F>(to, (to_row, to_x), from, (from_row, from_x), (n, rows));
+        } else {
+            packed::copy_rows::<F>(to, (to_row, to_x), from, (from_row, from_x), (n, rows));
+        }
+        return;
     }
     let below = rows.wrapping_sub(1);
     let (start, from_start) = (byte::<F>(to_row, to_x), byte::<F>(from_row, from_x));

@@ -8,11 +8,7 @@
 //! ends and a plain middle.
 
 use super::word;
-use crate::{
-    num::cast::low_u8,
-    pixel::format::PixelFormat,
-    tune::{COMPACT, VECTORS},
-};
+use crate::{num::cast::low_u8, pixel::format::PixelFormat, tune::COMPACT};
 
 /// How many bytes are copied at once where there are as many; built for size, one after the other.
 const GROUP: usize = if COMPACT { usize::MAX } else { 4 };
@@ -236,18 +232,29 @@ pub(super) fn copy_rows<F: PixelFormat>(
     (from_row, from_x): (usize, usize),
     (n, rows): (usize, usize),
 ) {
+    for i in 0..rows {
+        let to_row = to_row.wrapping_add(i.wrapping_mul(to_stride));
+        let from_row = from_row.wrapping_add(i.wrapping_mul(from_stride));
+        copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
+    }
+}
+
+/// The same on computers: bytes that hold the same pixels in both memories are copied as bytes.
+pub(super) fn copy_bytes<F: PixelFormat>(
+    (to, to_stride): (&mut [u8], usize),
+    (to_row, to_x): (usize, usize),
+    (from, from_stride): (&[u8], usize),
+    (from_row, from_x): (usize, usize),
+    (n, rows): (usize, usize),
+) {
     let mut columns = |x: usize, n: usize| {
-        for i in 0..rows {
-            let to_row = to_row.wrapping_add(i.wrapping_mul(to_stride));
-            let from_row = from_row.wrapping_add(i.wrapping_mul(from_stride));
-            let (to_x, from_x) = (to_x.wrapping_add(x), from_x.wrapping_add(x));
-            copy::<F>(to, (to_row, to_x), from, (from_row, from_x), n);
-        }
+        let (to_place, from_place) = ((to_row, to_x.wrapping_add(x)), (from_row, from_x.wrapping_add(x)));
+        copy_rows::<F>((to, to_stride), to_place, (from, from_stride), from_place, (n, rows));
     };
     // Pixels before the first whole byte, and after the last.
     let head = to_x.wrapping_neg() & last_in_byte::<F>();
     let whole = n.saturating_sub(head) >> byte_shift::<F>();
-    if !VECTORS || whole == 0 || in_byte::<F>(to_x) != in_byte::<F>(from_x) {
+    if whole == 0 || in_byte::<F>(to_x) != in_byte::<F>(from_x) {
         return columns(0, n);
     }
     let after = head.wrapping_add(whole << byte_shift::<F>());
@@ -257,7 +264,6 @@ pub(super) fn copy_rows<F: PixelFormat>(
     if after < n {
         columns(after, n.wrapping_sub(after));
     }
-    // Bytes that hold the same pixels in both.
     let start = |row: usize, x: usize| row.wrapping_add(x.wrapping_add(head) >> byte_shift::<F>());
     let len = |stride: usize| rows.wrapping_sub(1).wrapping_mul(stride).wrapping_add(whole);
     let (start, from_start) = (start(to_row, to_x), start(from_row, from_x));
