@@ -10,9 +10,9 @@ use fixed::types::I24F8;
 
 use self::{flood::Area, ink::in_color};
 use crate::{
-    error::EdgeTableFull,
-    geom::{fill_rule::FillRule, Path, PathSegment, PointFx},
-    paint::{Brush, Paint},
+    error::{EdgeTableFull, TriangleTooLarge},
+    geom::{fill_rule::FillRule, Facet, Path, PathSegment, Plane, PointFx, Varying},
+    paint::{Brush, Paint, Shade},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
@@ -235,6 +235,38 @@ pub trait Canvas: Surface {
     #[inline]
     fn fill_triangle_fx(&mut self, corners: [PointFx; 3], color: Self::Color) {
         in_color(self, color, |window, brush| triangle::fill(corners, window, brush));
+    }
+
+    /// Fills a triangle with colours that change from corner to corner: the pixels of
+    /// [`fill_triangle_fx`](Self::fill_triangle_fx), each in what `color` makes of the values there.
+    ///
+    /// Values are numbers, colours, or several of them: see [`Varying`]. Each is the nearest one to the exact mean of the corners
+    /// at the centre of the pixel.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, PointFx};
+    /// let mut ram = [0; 15];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 3)?;
+    /// let corners = [PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)];
+    /// frame.shade_triangle_fx(corners, [0, 80, 0].map(Gray8::new), |gray| gray)?;
+    /// assert_eq!(ram, [10, 30, 50, 0, 0, 10, 30, 0, 0, 0, 10, 0, 0, 0, 0]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the triangle is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    fn shade_triangle_fx<V: Varying>(
+        &mut self,
+        corners: [PointFx; 3],
+        values: [V; 3],
+        color: impl FnMut(V) -> Self::Color,
+    ) -> Result<(), TriangleTooLarge>
+    where
+        Self: Sized,
+    {
+        let shade = Shade::new(Plane::new(&Facet::new(corners)?, values), color);
+        self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+        Ok(())
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).

@@ -3,8 +3,8 @@
 //! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface
 //! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
 //! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
-//! crossings of a line with a polygon ([`CrossingListFull`]). [`Error`] is any of them, for programs that pass all on
-//! with `?`.
+//! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]).
+//! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
 
@@ -129,6 +129,18 @@ pub struct CrossingListFull {
     pub needed: usize,
 }
 
+/// A triangle is too large for values to be exact all over it: see [`Facet`](crate::geom::Facet).
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TriangleTooLarge {
+    /// Of its box, in pixels, rounded up.
+    pub width: u32,
+    /// Of its box, in pixels, rounded up.
+    pub height: u32,
+    /// What width and height may be together.
+    pub most: u32,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -144,6 +156,8 @@ pub enum Error {
     Flatten(FlattenError),
     /// The crossings of a line with a polygon could not be written to a list.
     CrossingList(CrossingListFull),
+    /// A triangle is too large to be shaded.
+    Triangle(TriangleTooLarge),
 }
 
 impl fmt::Display for BufferError {
@@ -206,6 +220,13 @@ impl fmt::Display for CrossingListFull {
     }
 }
 
+impl fmt::Display for TriangleTooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { width, height, most } = *self;
+        write!(f, "triangle too large: {width} x {height} pixels, shades take {most} for both together")
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -214,6 +235,7 @@ impl fmt::Display for Error {
             Self::Triangulate(error) => error.fmt(f),
             Self::Flatten(error) => error.fmt(f),
             Self::CrossingList(error) => error.fmt(f),
+            Self::Triangle(error) => error.fmt(f),
         }
     }
 }
@@ -223,6 +245,7 @@ impl core::error::Error for EdgeTableFull {}
 impl core::error::Error for TriangulateError {}
 impl core::error::Error for FlattenError {}
 impl core::error::Error for CrossingListFull {}
+impl core::error::Error for TriangleTooLarge {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -252,5 +275,11 @@ impl From<FlattenError> for Error {
 impl From<CrossingListFull> for Error {
     fn from(error: CrossingListFull) -> Self {
         Self::CrossingList(error)
+    }
+}
+
+impl From<TriangleTooLarge> for Error {
+    fn from(error: TriangleTooLarge) -> Self {
+        Self::Triangle(error)
     }
 }

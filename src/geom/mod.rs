@@ -15,9 +15,11 @@
 pub mod clip;
 pub mod delaunay;
 pub mod exact;
+pub mod facet;
 pub mod flatten;
 pub mod polygon;
 pub mod triangulate;
+pub mod varying;
 
 mod angle;
 pub(crate) mod fill_rule;
@@ -28,10 +30,12 @@ mod view;
 mod viewport;
 
 pub use angle::Angle;
+pub use facet::{Barycentric, Facet};
 pub use flatten::Contours;
 pub use outlines::Outlines;
 pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
 pub use point::{px, PointFx};
 pub(crate) use view::View;
+pub use varying::{Fast, Plane, Varying};
 pub use viewport::Viewport;

@@ -11,6 +11,8 @@
 pub(crate) mod cast;
 #[cfg(any(feature = "defmt", test))]
 pub(crate) mod decimal;
+pub(crate) mod divisor;
+pub(crate) mod mixed;
 pub(crate) mod root;
 pub(crate) mod round;
 pub(crate) mod stepper;

@@ -25,7 +25,9 @@
 //! ```
 
 mod brush;
+mod colors;
+mod shade;
 mod solid;
 mod traits;
 
-pub use self::{brush::Brush, solid::Solid, traits::Paint};
+pub use self::{brush::Brush, shade::Shade, solid::Solid, traits::Paint};

@@ -3,3 +3,4 @@
 mod tools;
 mod triangulate;
 mod values;
+mod varying;

@@ -24,6 +24,7 @@ pub mod letters;
 pub mod memory;
 pub mod meshes;
 pub mod outlines;
+pub mod planes;
 pub mod rng;
 pub mod rounds;
 pub mod scenes;

@@ -1,0 +1,236 @@
+//! [`Facet`]: a triangle as the plane over which values change, and [`Barycentric`]: where a place lies in it.
+//!
+//! A value at each corner of a triangle makes a plane. At a place p the value is `(w0 v0 + w1 v1 + w2 v2) / w`, where each weight
+//! is an edge function, twice the area of the triangle between p and the side opposite to a corner, and w is their sum, twice the
+//! area of the whole.
+//! ```text
+//!            0
+//!           / \        w0 = area of p12, and so on
+//!          / p \       inside, all three have the sign of w; on a side, one is 0
+//!         1-----2
+//! ```
+//! All of them are exact integers: with corners in 24.8 the unit is 1/65,536 of a square pixel.
+//!
+//! Sources: A. Möbius, "Der barycentrische Calcul", 1827; J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH
+//! 1988.
+
+use fixed::types::I16F16;
+
+use super::point::{bits, PointFx};
+use crate::{
+    error::TriangleTooLarge,
+    num::{
+        cast::{magnitude, narrow, saturate, signed_wide},
+        divisor::Divisor,
+        mixed::Mixed,
+        round::{difference, first_centre_from},
+    },
+};
+
+/// A triangle over which values change from corner to corner.
+///
+/// Its box may be 12,288 pixels wide and high together, anywhere. So twice its area is below 2^42 units.
+/// ```
+/// use embedded_raster::{geom::Facet, PointFx};
+/// let facet = Facet::new([PointFx::px(10, 5), PointFx::px(20, 15), PointFx::px(5, 15)])?;
+/// assert_eq!(facet.twice_area(), 150 << 16);
+/// assert!(facet.weights(PointFx::px(10, 12)).is_inside());
+/// assert!(!facet.weights(PointFx::px(5, 5)).is_inside());
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[derive(Copy, Clone, Debug)]
+pub struct Facet {
+    corners: [(i32, i32); 3],
+    /// 1 for clockwise corners on the screen, -1 for the other way.
+    turn: i64,
+    area: i64,
+    divisor: Divisor,
+    /// The first pixel of its box.
+    first: (i32, i32),
+}
+
+impl Facet {
+    /// The most pixels that the box of a facet may have in width and height together.
+    pub const MOST: u32 = 3 << 12;
+
+    /// The triangle between three places, in either winding.
+    ///
+    /// # Errors
+    /// If its box is wider and higher, together, than [`MOST`](Self::MOST) pixels.
+    pub fn new(corners: [PointFx; 3]) -> Result<Self, TriangleTooLarge> {
+        let corners = corners.map(bits);
+        let [a, b, c] = corners;
+        let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
+        let (upper, lower) = (a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1));
+        let (width, height) = (right.abs_diff(left), lower.abs_diff(upper));
+        if width.saturating_add(height) > Self::MOST << 8 {
+            let (width, height) = (width.div_ceil(256), height.div_ceil(256));
+            return Err(TriangleTooLarge { width, height, most: Self::MOST });
+        }
+        let area = cross(a, b, c);
+        Ok(Self {
+            corners,
+            turn: if area < 0 { -1 } else { 1 },
+            area: area.wrapping_abs(),
+            divisor: Divisor::new(area.unsigned_abs()),
+            first: (first_centre_from(left), first_centre_from(upper)),
+        })
+    }
+
+    /// Twice its area in units of 1/65,536 square pixel, whatever its winding.
+    #[inline]
+    pub const fn twice_area(&self) -> i64 {
+        self.area
+    }
+
+    /// Whether its corners turn clockwise on the screen, where y points down. A triangle without area does.
+    #[inline]
+    pub const fn is_clockwise(&self) -> bool {
+        self.turn > 0
+    }
+
+    /// Where a place lies: exactly, for every place that there is.
+    pub fn weights(&self, at: PointFx) -> Barycentric {
+        let ([a, b, c], p) = (self.corners, bits(at));
+        let weight = |from, to| self.turn.wrapping_mul(cross(from, to, p));
+        Barycentric { weights: [weight(b, c), weight(c, a), weight(a, b)], total: self.area }
+    }
+
+    /// The first pixel of its box.
+    #[inline(always)]
+    pub(super) const fn first(&self) -> (i32, i32) {
+        self.first
+    }
+
+    /// How a value changes: one half more than it is at the first pixel of the box, and what it gains to the right and
+    /// downwards; each at least the true number, and above it by at most 3 or, if `is_wide`, 6 units of 2^-64.
+    ///
+    /// If not `is_wide`, the values differ by less than 2^18.
+    #[inline]
+    pub(super) fn slopes(&self, [v0, v1, v2]: [i64; 3], is_wide: bool) -> [Mixed; 3] {
+        let [a, b, c] = self.corners;
+        let (b, c) = ((difference(b.0, a.0), difference(b.1, a.1)), (difference(c.0, a.0), difference(c.1, a.1)));
+        let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
+        // Below 2^54.6: differences of values below 2^32 times sides below 2^21.6 units, twice.
+        let right = self.turn.wrapping_mul(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
+        let down = self.turn.wrapping_mul(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
+        // From the first corner to the centre of the first pixel: below 2^21.6 too.
+        let x = centre(self.first.0).wrapping_sub(a.0.into());
+        let y = centre(self.first.1).wrapping_sub(a.1.into());
+        let start = Mixed::and_a_half(narrow(v0));
+        if self.area == 0 {
+            return [start, Mixed::default(), Mixed::default()];
+        }
+        if !is_wide {
+            // Below 2^63: 2^18 2^21.6 2 2^21.6, twice.
+            let n = right.wrapping_mul(x).wrapping_add(down.wrapping_mul(y));
+            return [
+                start + self.divisor.divide(n),
+                self.divisor.divide(right.wrapping_mul(256)),
+                self.divisor.divide(down.wrapping_mul(256)),
+            ];
+        }
+        let [along, below] = [right, down].map(|n| self.divisor.quotient(n));
+        // A remainder is below 2^41.2, times a distance below 2^62.8.
+        let part = |(q, r): (i64, u64), n: i64| {
+            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(signed_wide(r).wrapping_mul(n))
+        };
+        [start + part(along, x) + part(below, y), part(along, 256), part(below, 256)]
+    }
+}
+
+/// Twice the area of a triangle, positive when its corners turn clockwise on the screen. Below 2^56 if two of them lie in a facet.
+#[inline]
+fn cross(a: (i32, i32), b: (i32, i32), p: (i32, i32)) -> i64 {
+    let (bx, by) = (difference(b.0, a.0), difference(b.1, a.1));
+    bx.wrapping_mul(difference(p.1, a.1)).wrapping_sub(by.wrapping_mul(difference(p.0, a.0)))
+}
+
+/// The centre of a pixel in units.
+fn centre(pixel: i32) -> i64 {
+    i64::from(pixel).wrapping_mul(256).wrapping_add(128)
+}
+
+/// Where a place lies in a triangle: three weights, and their sum. The place is the mean of the corners, weighted so.
+///
+/// A weight of a [`Facet`] is not negative inside. Outside, one or two are.
+/// ```
+/// use embedded_raster::geom::Barycentric;
+/// // A fifth of the first colour, three tenths of the second, half of the third.
+/// let place = Barycentric { weights: [2, 3, 5], total: 10 };
+/// let colors = [(255, 0, 0), (255, 51, 0), (255, 0, 51)];
+/// assert_eq!(place.mix(colors.map(|c| c.1)), 15);
+/// assert_eq!(place.mix(colors.map(|c| c.2)), 26);
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Barycentric {
+    /// One for each corner.
+    pub weights: [i64; 3],
+    /// Their sum, below 2^46. Not negative; 0 for a triangle without area.
+    pub total: i64,
+}
+
+impl Barycentric {
+    /// Whether the place lies in the triangle or on one of its sides.
+    #[inline]
+    pub fn is_inside(&self) -> bool {
+        self.total > 0 && self.weights.iter().all(|&w| w >= 0)
+    }
+
+    /// Whether the place lies in the triangle and on none of its sides.
+    #[inline]
+    pub fn is_strictly_inside(&self) -> bool {
+        self.total > 0 && self.weights.iter().all(|&w| w > 0)
+    }
+
+    /// The weights as parts of 1. They sum to exactly 1 as long as none of them is above 32,767 or below -32,768, where they stop.
+    ///
+    /// The first two are the nearest numbers, the third is what is left: off by at most 2^-16. A triangle without area has the
+    /// weights 1, 0, 0.
+    pub fn parts(&self) -> [I16F16; 3] {
+        let [a, b, _] = self.weights;
+        if self.total <= 0 {
+            return [I16F16::ONE, I16F16::ZERO, I16F16::ZERO];
+        }
+        let divisor = Divisor::new(magnitude(self.total));
+        // A weight is below 2^56: divided first, its rest times 2^16 is below 2^58.
+        let part = |w: i64| {
+            let (q, r) = divisor.quotient(w);
+            let rest = divisor.divide((signed_wide(r) << 16) + (self.total >> 1));
+            q.saturating_mul(1 << 16).saturating_add(rest.whole.into())
+        };
+        let (a, b) = (part(a), part(b));
+        let rest = 0x1_0000_i64.saturating_sub(a).saturating_sub(b);
+        [a, b, rest].map(|n| I16F16::from_bits(saturate(n)))
+    }
+
+    /// The value at the place: the nearest whole number to the exact mean of three values, halves upwards.
+    ///
+    /// Inside, it is never out of the range of the three. Outside, it stops at the ends of the type. Without area, it is the first
+    /// value.
+    pub fn mix(&self, values: [i32; 3]) -> i32 {
+        if self.total <= 0 {
+            return values[0];
+        }
+        let divisor = Divisor::new(magnitude(self.total));
+        let [v0, v1, v2] = values.map(i64::from);
+        let [_, w1, w2] = self.weights;
+        let (q1, r1) = product(&divisor, w1, v1.wrapping_sub(v0));
+        let (q2, r2) = product(&divisor, w2, v2.wrapping_sub(v0));
+        let (half, _) = divisor.quotient(signed_wide(r1.wrapping_add(r2)).wrapping_add(self.total >> 1));
+        let sum = q1.wrapping_add(q2).wrapping_add(v0.wrapping_add(half).into());
+        saturate(i64::try_from(sum).unwrap_or(if sum < 0 { i64::MIN } else { i64::MAX }))
+    }
+}
+
+/// Quotient and remainder of `w v` by a divisor below 2^46, for a v of 33 bits: digit by digit, as the product may have 97 bits.
+fn product(divisor: &Divisor, w: i64, v: i64) -> (i128, u64) {
+    let (whole, rest) = divisor.quotient(w);
+    let (rest, high, low) = (signed_wide(rest), v >> 16, v & 0xffff);
+    let (q1, r1) = divisor.quotient(rest.wrapping_mul(high));
+    let (q2, r2) = divisor.quotient((signed_wide(r1) << 16).wrapping_add(rest.wrapping_mul(low)));
+    // What is left of q: below v.
+    let part = q1.wrapping_mul(1 << 16).wrapping_add(q2);
+    (i128::from(whole).wrapping_mul(v.into()).wrapping_add(part.into()), r2)
+}

@@ -1,0 +1,394 @@
+//! [`Varying`]: what changes over a triangle from corner to corner, and [`Plane`]: its value at every pixel.
+//!
+//! **Exact.** A value at a pixel is the nearest one to the exact mean of the corners at the centre of the pixel, halves upwards:
+//! `floor(N / D + 1/2)`, where D is twice the area of the triangle. That is a rule for one pixel; no other pixel, no window and no
+//! band takes part in it. It has consequences. What is equal at all corners is constant. Nothing leaves the range of the corners.
+//! Two parts of a triangle that are cut at places where the values are whole show what the whole shows.
+//!
+//! It is found by additions. A number S is kept that is at least `N / D + 1/2`, and above it by less than `1 / (2 D)`. As that is a
+//! multiple of `1 / (2 D)`, both have the same whole part. S comes from the first pixel of the box by x steps to the right and y
+//! steps down, each too large by at most 6 units of `2^-64`; and `(2 D) 6 (x + y + 1)` is below `2^64` in the largest triangle
+//! that is allowed, where D is below `2^41.2` and x + y at most 12,288. Along a row, bytes are kept in 64 bits, 56 of them for
+//! the fraction. Each step is too large by less than 1.1 units of `2^-56` then, and `(2 D) 1.1 (x + 2)` is below `2^56` with
+//! x at most 12,288 less the height, as D is at most the width times the height.
+//!
+//! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
+//! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
+//! does not leave the range of the corners either.
+//!
+//! Sources: J. Foley, A. van Dam, S. Feiner, J. Hughes, "Computer Graphics: Principles and Practice", 2nd edition, 1990, 16.2
+//! (H. Gouraud's shading, 1971, row by row).
+
+use core::fmt::Debug;
+
+use fixed::types::{I16F16, I24F8};
+
+use super::facet::Facet;
+use crate::num::{
+    cast::{low_u16, low_u32, low_u8, signed, unsigned},
+    mixed::Mixed,
+};
+
+/// What changes over a triangle: a number, a colour, or several of them in an array or a tuple.
+///
+/// Numbers are taken by their bits: of an `I16F16` the nearest one is the nearest multiple of 2^-16.
+/// ```
+/// use embedded_raster::{geom::{Facet, Plane}, PointFx};
+/// let facet = Facet::new([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)])?;
+/// let plane = Plane::new(&facet, [(0_u8, 1000_u16), (80, 1000), (0, 1000)]);
+/// assert!(plane.row(0, 0).take(3).eq([(10, 1000), (30, 1000), (50, 1000)]));
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+pub trait Varying: Copy {
+    /// How it changes over a triangle.
+    type Slopes: Copy + Debug;
+    /// Its value at one pixel, with what it gains from each to the next.
+    type Run: Copy + Debug;
+
+    /// How it changes over a triangle where it has these values at the corners.
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes;
+
+    /// So many pixels to the right of the first pixel of the triangle's box, and below it.
+    fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run;
+
+    /// The value.
+    fn value(run: &Self::Run) -> Self;
+
+    /// To the next pixel on the right.
+    fn step(run: &mut Self::Run);
+}
+
+/// The values of a [`Varying`] at all pixels of a triangle.
+#[derive(Copy, Clone, Debug)]
+pub struct Plane<V: Varying> {
+    first: (i32, i32),
+    slopes: V::Slopes,
+}
+
+impl<V: Varying> Plane<V> {
+    /// With these values at the corners.
+    #[inline]
+    pub fn new(facet: &Facet, corners: [V; 3]) -> Self {
+        Self { first: facet.first(), slopes: V::slopes(facet, corners) }
+    }
+
+    /// The values of a row from column x on, without an end.
+    ///
+    /// They are right at pixels of the triangle. Outside of its box they mean nothing.
+    #[inline(always)]
+    pub fn row(&self, x: i32, y: i32) -> Row<V> {
+        let (right, down) = (x.wrapping_sub(self.first.0), y.wrapping_sub(self.first.1));
+        Row { run: V::run(&self.slopes, unsigned(right), unsigned(down)) }
+    }
+}
+
+/// Values from pixel to pixel.
+#[derive(Copy, Clone, Debug)]
+pub struct Row<V: Varying> {
+    run: V::Run,
+}
+
+impl<V: Varying> Row<V> {
+    /// The value at this pixel; then it goes to the next.
+    #[inline(always)]
+    pub fn take_one(&mut self) -> V {
+        let value = V::value(&self.run);
+        V::step(&mut self.run);
+        value
+    }
+
+    /// To the next pixel.
+    #[inline(always)]
+    pub fn skip_one(&mut self) {
+        V::step(&mut self.run);
+    }
+}
+
+impl<V: Varying> Iterator for Row<V> {
+    type Item = V;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<V> {
+        Some(self.take_one())
+    }
+}
+
+/// How a number changes over a triangle.
+#[derive(Copy, Clone, Debug)]
+pub struct Slopes {
+    start: Mixed,
+    right: Mixed,
+    down: Mixed,
+}
+
+impl Slopes {
+    #[inline(always)]
+    fn new(facet: &Facet, corners: [i64; 3], is_wide: bool) -> Self {
+        let [start, right, down] = facet.slopes(corners, is_wide);
+        Self { start, right, down }
+    }
+
+    #[inline(always)]
+    fn at(&self, right: u32, down: u32) -> Mixed {
+        self.start + self.right.times(right) + self.down.times(down)
+    }
+}
+
+/// A byte, in 64 bits.
+#[derive(Copy, Clone, Debug)]
+pub struct Level {
+    at: u64,
+    by: u64,
+}
+
+impl Level {
+    /// Bits of a byte, before the point.
+    const BITS: u32 = 8;
+
+    #[inline(always)]
+    pub(crate) fn new(slopes: &Slopes, right: u32, down: u32) -> Self {
+        Self {
+            at: slopes.at(right, down).cut(Self::BITS).wrapping_add(1),
+            by: slopes.right.cut(Self::BITS).wrapping_add(1),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn value(self) -> u8 {
+        low_u8(low_u32(self.at >> (64 - Self::BITS)))
+    }
+
+    #[inline(always)]
+    pub(crate) fn step(&mut self) {
+        self.at = self.at.wrapping_add(self.by);
+    }
+}
+
+impl Varying for u8 {
+    type Slopes = Slopes;
+    type Run = Level;
+
+    #[inline(always)]
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
+        Slopes::new(facet, corners.map(i64::from), false)
+    }
+
+    #[inline(always)]
+    fn run(slopes: &Slopes, right: u32, down: u32) -> Level {
+        Level::new(slopes, right, down)
+    }
+
+    #[inline(always)]
+    fn value(run: &Level) -> Self {
+        run.value()
+    }
+
+    #[inline(always)]
+    fn step(run: &mut Level) {
+        run.step();
+    }
+}
+
+/// A number of up to 32 bits, in 96 bits.
+#[derive(Copy, Clone, Debug)]
+pub struct Wide {
+    at: Mixed,
+    by: Mixed,
+}
+
+macro_rules! wide {
+    ($($type:ty, $is_wide:literal, |$n:ident| $bits:expr, |$back:ident| $value:expr;)*) => {
+        $(impl Varying for $type {
+            type Slopes = Slopes;
+            type Run = Wide;
+
+            #[inline(always)]
+            fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
+                Slopes::new(facet, corners.map(|$n| $bits.into()), $is_wide)
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Slopes, right: u32, down: u32) -> Wide {
+                Wide { at: slopes.at(right, down), by: slopes.right }
+            }
+
+            #[inline(always)]
+            fn value(run: &Wide) -> Self {
+                let $back = run.at.whole;
+                $value
+            }
+
+            #[inline(always)]
+            fn step(run: &mut Wide) {
+                run.at += run.by;
+            }
+        })*
+    };
+}
+
+wide! {
+    u16, false, |n| n, |bits| low_u16(unsigned(bits));
+    i16, false, |n| n, |bits| low_i16(bits);
+    i32, true, |n| n, |bits| bits;
+    u32, true, |n| n, |bits| unsigned(bits);
+    I16F16, true, |n| n.to_bits(), |bits| Self::from_bits(bits);
+    I24F8, true, |n| n.to_bits(), |bits| Self::from_bits(bits);
+}
+
+/// A varying in its fast mode: in 32 bits along each row. The values of some pixels are not the nearest ones: see the
+/// [module](self).
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Fast<V>(pub V);
+
+/// A number of up to 16 bits, in 32 bits.
+#[derive(Copy, Clone, Debug)]
+pub struct Short {
+    at: u32,
+    by: u32,
+}
+
+impl Short {
+    #[inline(always)]
+    pub(crate) fn new(slopes: &Slopes, right: u32, down: u32) -> Self {
+        let cut = |n: Mixed| low_u32(n.cut(16) >> 32);
+        // Towards zero, so that no value gets away from where the row began by more than it should.
+        let up = u32::from(slopes.right.whole < 0);
+        Self { at: cut(slopes.at(right, down)), by: cut(slopes.right).wrapping_add(up) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn value(self) -> u32 {
+        self.at >> 16
+    }
+
+    #[inline(always)]
+    pub(crate) fn step(&mut self) {
+        self.at = self.at.wrapping_add(self.by);
+    }
+}
+
+macro_rules! fast {
+    ($($type:ty, |$n:ident| $value:expr;)*) => {
+        $(impl Varying for Fast<$type> {
+            type Slopes = Slopes;
+            type Run = Short;
+
+            #[inline(always)]
+            fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
+                Slopes::new(facet, corners.map(|n| n.0.into()), false)
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Slopes, right: u32, down: u32) -> Short {
+                Short::new(slopes, right, down)
+            }
+
+            #[inline(always)]
+            fn value(run: &Short) -> Self {
+                let $n = run.value();
+                Self($value)
+            }
+
+            #[inline(always)]
+            fn step(run: &mut Short) {
+                run.step();
+            }
+        })*
+    };
+}
+
+fast! {
+    u8, |n| low_u8(n);
+    u16, |n| low_u16(n);
+    i16, |n| low_i16(signed(n));
+}
+
+/// The low half.
+#[inline(always)]
+fn low_i16(n: i32) -> i16 {
+    i16::from_le_bytes(low_u16(unsigned(n)).to_le_bytes())
+}
+
+impl Varying for () {
+    type Slopes = ();
+    type Run = ();
+
+    #[inline(always)]
+    fn slopes(_: &Facet, _: [Self; 3]) {}
+
+    #[inline(always)]
+    fn run((): &(), _: u32, _: u32) {}
+
+    #[inline(always)]
+    fn value((): &()) {}
+
+    #[inline(always)]
+    fn step((): &mut ()) {}
+}
+
+impl<V: Varying, const N: usize> Varying for [V; N] {
+    type Slopes = [V::Slopes; N];
+    type Run = [V::Run; N];
+
+    #[inline(always)]
+    fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> Self::Slopes {
+        let mut rest = b.into_iter().zip(c);
+        a.map(|a| {
+            let (b, c) = rest.next().unwrap_or((a, a));
+            V::slopes(facet, [a, b, c])
+        })
+    }
+
+    #[inline(always)]
+    fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run {
+        slopes.each_ref().map(|slopes| V::run(slopes, right, down))
+    }
+
+    #[inline(always)]
+    fn value(run: &Self::Run) -> Self {
+        run.each_ref().map(V::value)
+    }
+
+    #[inline(always)]
+    fn step(run: &mut Self::Run) {
+        for run in run {
+            V::step(run);
+        }
+    }
+}
+
+macro_rules! tuple {
+    ($($name:ident $place:tt),*) => {
+        impl<$($name: Varying),*> Varying for ($($name,)*) {
+            type Slopes = ($($name::Slopes,)*);
+            type Run = ($($name::Run,)*);
+
+            #[inline(always)]
+            fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> Self::Slopes {
+                ($($name::slopes(facet, [a.$place, b.$place, c.$place]),)*)
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run {
+                ($($name::run(&slopes.$place, right, down),)*)
+            }
+
+            #[inline(always)]
+            fn value(run: &Self::Run) -> Self {
+                ($($name::value(&run.$place),)*)
+            }
+
+            #[inline(always)]
+            fn step(run: &mut Self::Run) {
+                $($name::step(&mut run.$place);)*
+            }
+        }
+    };
+}
+
+tuple!(A 0);
+tuple!(A 0, B 1);
+tuple!(A 0, B 1, C 2);
+tuple!(A 0, B 1, C 2, D 3);
+tuple!(A 0, B 1, C 2, D 3, E 4);
+tuple!(A 0, B 1, C 2, D 3, E 4, F 5);

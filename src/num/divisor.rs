@@ -1,0 +1,181 @@
+//! [`Divisor`]: many divisions by one number, by products with its reciprocal.
+//!
+//! Source: T. Granlund and P. Montgomery, "Division by Invariant Integers using Multiplication", PLDI 1994.
+
+use core::num::NonZeroU32;
+
+use super::{
+    cast::{low_u32, narrow, signed_wide},
+    mixed::Mixed,
+};
+use crate::tune::{COMPACT, DIVIDES};
+
+/// Whether the reciprocal of a number below 2^32 is found by divisions of 32 bits. Otherwise it is found bit by bit.
+const BY_DIGITS: bool = DIVIDES && !COMPACT;
+
+/// A number `d` to divide by.
+///
+/// With `d 2^s` from 2^63 to 2^64, `inverse` is `floor((2^127 - 1) / (d 2^s))`. That are 64 bits, the highest one set, and it is
+/// below `2^127 / (d 2^s)` by at most 1 + 2^-63.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct Divisor {
+    d: u64,
+    inverse: u64,
+    /// 63 - s
+    down: u32,
+}
+
+impl Divisor {
+    /// Of a number from 1 to 2^63 - 1; 0 is taken for 1.
+    #[inline]
+    pub(crate) fn new(d: u64) -> Self {
+        let d = d.max(1);
+        let shift = d.leading_zeros();
+        let wide = d << shift;
+        let inverse = match NonZeroU32::new(low_u32(wide >> 32)) {
+            Some(high) if BY_DIGITS && low_u32(wide) == 0 => reciprocal(high),
+            _ => reciprocal_wide(wide),
+        };
+        Self { d, inverse, down: 63_u32.wrapping_sub(shift) }
+    }
+
+    /// `floor(n / d)`, and what remains.
+    ///
+    /// The product of |n| and the reciprocal, divided by `2^(127 - s)`, is below |n| / d by at most `(1 + 2^-63) / 2` as |n| is at
+    /// most 2^63. So its whole part is right or 1 too small, which the remainder tells.
+    #[inline]
+    pub(crate) fn quotient(&self, n: i64) -> (i64, u64) {
+        let m = n.unsigned_abs();
+        let mut q = high_product(m, self.inverse) >> self.down;
+        let mut r = m.wrapping_sub(q.wrapping_mul(self.d));
+        if r >= self.d {
+            (q, r) = (q.wrapping_add(1), r.wrapping_sub(self.d));
+        }
+        if n < 0 {
+            q = q.wrapping_neg();
+            if r != 0 {
+                (q, r) = (q.wrapping_sub(1), self.d.wrapping_sub(r));
+            }
+        }
+        (signed_wide(q), r)
+    }
+
+    /// `n / d`: not below it, and above it by at most `3 2^-64`. Of the whole part, the low 32 bits.
+    ///
+    /// A remainder is below d. So its product with the reciprocal, divided by `2^(63 - s)`, is too small by less than 2 units of
+    /// `2^-64`, and cutting it takes less than 1 more.
+    #[inline]
+    pub(crate) fn divide(&self, n: i64) -> Mixed {
+        let (q, r) = self.quotient(n);
+        let (high, low) = (high_product(r, self.inverse), r.wrapping_mul(self.inverse));
+        // The high half is below 2^down, so nothing is lost on the left.
+        let fraction = high.checked_shl(64_u32.wrapping_sub(self.down)).unwrap_or(0) | low >> self.down;
+        Mixed { whole: narrow(q), fraction } + Mixed { whole: 0, fraction: 3 }
+    }
+}
+
+/// The high half of a product of 128 bits.
+#[inline]
+fn high_product(a: u64, b: u64) -> u64 {
+    let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
+    let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
+    // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
+    let middle = a1.wrapping_mul(b0).wrapping_add(a0.wrapping_mul(b0) >> 32);
+    let other = a0.wrapping_mul(b1).wrapping_add(u64::from(low_u32(middle)));
+    a1.wrapping_mul(b1).wrapping_add(middle >> 32).wrapping_add(other >> 32)
+}
+
+/// `floor((2^127 - 1) / (2^32 d))` for a `d` whose highest bit is set, in two digits: it is `floor((2^95 - 1) / d)`.
+fn reciprocal(d: NonZeroU32) -> u64 {
+    let (high, rest) = digit(u32::MAX >> 1, d);
+    let (low, _) = digit(rest, d);
+    u64::from(high) << 32 | u64::from(low)
+}
+
+/// Quotient and remainder of `2^32 high + 2^32 - 1` by a `d` above `high` whose highest bit is set.
+///
+/// Source: D. Knuth, "The Art of Computer Programming", volume 2, 4.3.1, algorithm D, with digits of 16 bits.
+fn digit(high: u32, d: NonZeroU32) -> (u32, u32) {
+    let (top, below) = (d.get() >> 16, d.get() & 0xffff);
+    let half = |rest: u32| {
+        let Some(divisor) = NonZeroU32::new(top) else { return (0, 0) };
+        let (mut q, r) = (rest / divisor, rest % divisor);
+        // What is left is a number of 49 bits minus q times `below`: in wrapped 32 bits, with its true size beside it.
+        let (left, taken) = (u64::from(r) << 16 | 0xffff, u64::from(q).wrapping_mul(below.into()));
+        let mut left = left.wrapping_sub(taken);
+        // At most twice.
+        while left >> 63 != 0 {
+            q = q.wrapping_sub(1);
+            left = left.wrapping_add(d.get().into());
+        }
+        (q, low_u32(left))
+    };
+    let (upper, rest) = half(high);
+    let (lower, rest) = half(rest);
+    (upper << 16 | lower, rest)
+}
+
+/// `floor((2^127 - 1) / d)` for a `d` whose highest bit is set: bit by bit.
+#[inline(never)]
+fn reciprocal_wide(d: u64) -> u64 {
+    let (mut rest, mut q) = (u64::MAX >> 1, 0_u64);
+    for _ in 0..64 {
+        let carry = rest >> 63;
+        rest = rest << 1 | 1;
+        q <<= 1;
+        if carry != 0 || rest >= d {
+            rest = rest.wrapping_sub(d);
+            q |= 1;
+        }
+    }
+    q
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(n: i64, d: u64) {
+        let got = Divisor::new(d).divide(n);
+        // With the low 32 bits of the whole part, as everything here.
+        let (n, d) = (i128::from(n), i128::from(d));
+        let whole = n.div_euclid(d);
+        let (rest, part) = (n.rem_euclid(d), i128::from(got.fraction));
+        let carry = i128::from(got.whole.wrapping_sub(whole as i32));
+        assert!(carry == 0 || carry == 1, "{n} / {d}: {got:?}");
+        // d (got - n / d), in 2^-64: exact, as rest 2^64 is below 2^127.
+        let excess = (((carry << 64) + part) * d).wrapping_sub(rest << 64);
+        let excess = if d < 1 << 60 { excess } else { excess.clamp(0, i128::MAX) };
+        assert!((0..=3 * d).contains(&excess), "{n} / {d}: {got:?} is {excess} / d units too large");
+    }
+
+    #[test]
+    fn quotients_are_close_from_above() {
+        let ends: std::vec::Vec<u64> = (0..62).flat_map(|b| [1 << b, (1 << b) + 1, (1_u64 << b) * 3 - 1]).collect();
+        for &d in &ends {
+            for &n in &ends {
+                for n in [n, n / d * d, (n / d * d).wrapping_sub(1), (n / d).wrapping_add(1).wrapping_mul(d)] {
+                    let n = (n & (u64::MAX >> 1)) as i64;
+                    check(n, d);
+                    check(-n, d);
+                    check(-n - 1, d);
+                }
+            }
+            check(i64::MIN, d);
+            check(i64::MAX, d);
+        }
+    }
+
+    #[test]
+    fn both_ways_to_a_reciprocal_agree() {
+        let mut d = 0x8000_0000_u32;
+        for i in 0..300_000_u32 {
+            for d in [d, 0x8000_0000 + i, u32::MAX - i, (0x8000 + i % 0x8000) << 16 | 0xffff - i % 3] {
+                let wide = u64::from(d) << 32;
+                assert_eq!(reciprocal(NonZeroU32::new(d).unwrap()), reciprocal_wide(wide), "{d}");
+                assert_eq!(u128::from(reciprocal_wide(wide)), (u128::MAX >> 1) / u128::from(wide), "{d}");
+            }
+            d = d.wrapping_mul(0x915f_77f5).wrapping_add(1) | 0x8000_0000;
+        }
+    }
+}
