@@ -20,7 +20,7 @@ use super::point::{bits, PointFx};
 use crate::{
     error::TriangleTooLarge,
     num::{
-        cast::{magnitude, narrow, saturate, signed_wide},
+        cast::{magnitude, narrow, saturate, signed_wide, unsigned},
         divisor::Divisor,
         mixed::Mixed,
         round::{difference, first_centre_from},
@@ -102,8 +102,17 @@ impl Facet {
         self.first
     }
 
-    /// How a value changes: one half more than it is at the first pixel of the box, and what it gains to the right and
-    /// downwards; each at least the true number, and above it by at most 3 or, if `is_wide`, 6 units of 2^-64.
+    /// How often twice its area goes into a number; at most 2^31 - 1.
+    #[inline]
+    pub(crate) fn times_in(&self, n: i64) -> u32 {
+        let (q, _) = self.divisor.quotient(n);
+        unsigned(saturate(q))
+    }
+
+    /// How a value changes: what is cut to the nearest value at the first pixel of the box, and what it gains to the right and
+    /// downwards. Each is at least the true number, and above it by at most 3 or, if `is_wide`, 6 units of 2^-64.
+    ///
+    /// The nearest whole number to N / D is the whole part of (N + floor(D / 2)) / D, halves upwards.
     ///
     /// If not `is_wide`, the values differ by less than 2^18.
     #[inline]
@@ -117,7 +126,7 @@ impl Facet {
         // From the first corner to the centre of the first pixel: below 2^21.6 too.
         let x = centre(self.first.0).wrapping_sub(a.0.into());
         let y = centre(self.first.1).wrapping_sub(a.1.into());
-        let start = Mixed::and_a_half(narrow(v0));
+        let (start, half) = (Mixed::from_whole(narrow(v0)), self.area >> 1);
         if self.area == 0 {
             return [start, Mixed::default(), Mixed::default()];
         }
@@ -125,17 +134,17 @@ impl Facet {
             // Below 2^63: 2^18 2^21.6 2 2^21.6, twice.
             let n = right.wrapping_mul(x).wrapping_add(down.wrapping_mul(y));
             return [
-                start + self.divisor.divide(n),
+                start + self.divisor.divide(n.wrapping_add(half)),
                 self.divisor.divide(right.wrapping_mul(256)),
                 self.divisor.divide(down.wrapping_mul(256)),
             ];
         }
         let [along, below] = [right, down].map(|n| self.divisor.quotient(n));
         // A remainder is below 2^41.2, times a distance below 2^62.8.
-        let part = |(q, r): (i64, u64), n: i64| {
-            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(signed_wide(r).wrapping_mul(n))
+        let part = |(q, r): (i64, u64), n: i64, more: i64| {
+            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(signed_wide(r).wrapping_mul(n).wrapping_add(more))
         };
-        [start + part(along, x) + part(below, y), part(along, 256), part(below, 256)]
+        [start + part(along, x, half) + part(below, y, 0), part(along, 256, 0), part(below, 256, 0)]
     }
 }
 

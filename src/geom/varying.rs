@@ -5,12 +5,16 @@
 //! band takes part in it. It has consequences. What is equal at all corners is constant. Nothing leaves the range of the corners.
 //! Two parts of a triangle that are cut at places where the values are whole show what the whole shows.
 //!
-//! It is found by additions. A number S is kept that is at least `N / D + 1/2`, and above it by less than `1 / (2 D)`. As that is a
-//! multiple of `1 / (2 D)`, both have the same whole part. S comes from the first pixel of the box by x steps to the right and y
-//! steps down, each too large by at most 6 units of `2^-64`; and `(2 D) 6 (x + y + 1)` is below `2^64` in the largest triangle
-//! that is allowed, where D is below `2^41.2` and x + y at most 12,288. Along a row, bytes are kept in 64 bits, 56 of them for
-//! the fraction. Each step is too large by less than 1.1 units of `2^-56` then, and `(2 D) 1.1 (x + 2)` is below `2^56` with
-//! x at most 12,288 less the height, as D is at most the width times the height.
+//! It is found by additions. The value is the whole part of T = (N + floor(D / 2)) / D, a multiple of 1 / D. A number S is kept that
+//! is at least T, and above it by less than 1 / D: both have the same whole part. S comes from the first pixel of the box by x
+//! steps to the right and y steps down, and each of them adds some excess. The largest triangles that are allowed have D below
+//! 2^41.2, and x + y below 12,288 = 2^13.6.
+//! - Numbers of up to 32 bits are kept with 64 bits of fraction. A step adds at most 6 units of 2^-64: 2^(2.6 + 13.6 + 41.2) is
+//!   below 2^64.
+//! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1.1 units of 2^-56: 2^(0.2 + 13.6 + 41.2) is
+//!   below 2^56.
+//! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. That is enough for some
+//!   pixels, as many as [`reach`](Varying::reach) says; then they are computed anew.
 //!
 //! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
 //! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
@@ -36,7 +40,7 @@ use crate::num::{
 /// use embedded_raster::{geom::{Facet, Plane}, PointFx};
 /// let facet = Facet::new([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)])?;
 /// let plane = Plane::new(&facet, [(0_u8, 1000_u16), (80, 1000), (0, 1000)]);
-/// assert!(plane.row(0, 0).take(3).eq([(10, 1000), (30, 1000), (50, 1000)]));
+/// assert_eq!([0, 1, 2].map(|x| plane.at(x, 0)), [(10, 1000), (30, 1000), (50, 1000)]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 pub trait Varying: Copy {
@@ -56,6 +60,13 @@ pub trait Varying: Copy {
 
     /// To the next pixel on the right.
     fn step(run: &mut Self::Run);
+
+    /// For how many pixels a run is right, at least 1. Then another has to be made.
+    #[inline(always)]
+    fn reach(slopes: &Self::Slopes) -> u32 {
+        let _ = slopes;
+        u32::MAX
+    }
 }
 
 /// The values of a [`Varying`] at all pixels of a triangle.
@@ -72,44 +83,44 @@ impl<V: Varying> Plane<V> {
         Self { first: facet.first(), slopes: V::slopes(facet, corners) }
     }
 
-    /// The values of a row from column x on, without an end.
-    ///
-    /// They are right at pixels of the triangle. Outside of its box they mean nothing.
+    /// The value at a pixel of the triangle. Outside of the triangle's box it means nothing.
+    #[inline]
+    pub fn at(&self, x: i32, y: i32) -> V {
+        V::value(&self.run(x, y))
+    }
+
+    /// Calls `f` with the values of `n` pixels of the triangle, from (x, y) to the right.
+    /// ```
+    /// use embedded_raster::{geom::{Facet, Plane}, PointFx};
+    /// let facet = Facet::new([PointFx::px(0, 0), PointFx::px(4, 0), PointFx::px(0, 4)])?;
+    /// let mut values = vec![];
+    /// Plane::new(&facet, [0_u8, 80, 0]).each(0, 1, 2, |value| values.push(value));
+    /// assert_eq!(values, [10, 30]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    pub fn each(&self, mut x: i32, y: i32, mut n: u32, mut f: impl FnMut(V)) {
+        while n > 0 {
+            let (part, mut run) = (n.min(self.reach()), self.run(x, y));
+            for _ in 0..part {
+                f(V::value(&run));
+                V::step(&mut run);
+            }
+            (x, n) = (x.wrapping_add(signed(part)), n.wrapping_sub(part));
+        }
+    }
+
+    /// The run that begins at a pixel.
     #[inline(always)]
-    pub fn row(&self, x: i32, y: i32) -> Row<V> {
+    pub(crate) fn run(&self, x: i32, y: i32) -> V::Run {
         let (right, down) = (x.wrapping_sub(self.first.0), y.wrapping_sub(self.first.1));
-        Row { run: V::run(&self.slopes, unsigned(right), unsigned(down)) }
-    }
-}
-
-/// Values from pixel to pixel.
-#[derive(Copy, Clone, Debug)]
-pub struct Row<V: Varying> {
-    run: V::Run,
-}
-
-impl<V: Varying> Row<V> {
-    /// The value at this pixel; then it goes to the next.
-    #[inline(always)]
-    pub fn take_one(&mut self) -> V {
-        let value = V::value(&self.run);
-        V::step(&mut self.run);
-        value
+        V::run(&self.slopes, unsigned(right), unsigned(down))
     }
 
-    /// To the next pixel.
+    /// For how many pixels a run is right.
     #[inline(always)]
-    pub fn skip_one(&mut self) {
-        V::step(&mut self.run);
-    }
-}
-
-impl<V: Varying> Iterator for Row<V> {
-    type Item = V;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<V> {
-        Some(self.take_one())
+    pub(crate) fn reach(&self) -> u32 {
+        V::reach(&self.slopes).max(1)
     }
 }
 
@@ -134,48 +145,63 @@ impl Slopes {
     }
 }
 
-/// A byte, in 64 bits.
+/// How a byte changes over a triangle: in 64 bits, 8 of them before the point.
+#[derive(Copy, Clone, Debug)]
+pub struct ByteSlopes {
+    start: u64,
+    right: u64,
+    down: u64,
+}
+
+impl ByteSlopes {
+    /// Bits before the point.
+    pub(crate) const BITS: u32 = 8;
+
+    #[inline(always)]
+    pub(crate) fn new(facet: &Facet, corners: [u8; 3]) -> Self {
+        let [start, right, down] =
+            facet.slopes(corners.map(i64::from), false).map(|n| n.cut(Self::BITS).wrapping_add(1));
+        Self { start, right, down }
+    }
+
+    #[inline(always)]
+    pub(crate) fn run(&self, right: u32, down: u32) -> Level {
+        let steps = self.right.wrapping_mul(right.into()).wrapping_add(self.down.wrapping_mul(down.into()));
+        Level { at: self.start.wrapping_add(steps), by: self.right }
+    }
+}
+
+/// A byte at one pixel.
 #[derive(Copy, Clone, Debug)]
 pub struct Level {
-    at: u64,
-    by: u64,
+    pub(crate) at: u64,
+    pub(crate) by: u64,
 }
 
 impl Level {
-    /// Bits of a byte, before the point.
-    const BITS: u32 = 8;
-
     #[inline(always)]
-    pub(crate) fn new(slopes: &Slopes, right: u32, down: u32) -> Self {
-        Self {
-            at: slopes.at(right, down).cut(Self::BITS).wrapping_add(1),
-            by: slopes.right.cut(Self::BITS).wrapping_add(1),
-        }
+    fn value(self) -> u8 {
+        low_u8(low_u32(self.at >> (64 - ByteSlopes::BITS)))
     }
 
     #[inline(always)]
-    pub(crate) fn value(self) -> u8 {
-        low_u8(low_u32(self.at >> (64 - Self::BITS)))
-    }
-
-    #[inline(always)]
-    pub(crate) fn step(&mut self) {
+    fn step(&mut self) {
         self.at = self.at.wrapping_add(self.by);
     }
 }
 
 impl Varying for u8 {
-    type Slopes = Slopes;
+    type Slopes = ByteSlopes;
     type Run = Level;
 
     #[inline(always)]
-    fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
-        Slopes::new(facet, corners.map(i64::from), false)
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> ByteSlopes {
+        ByteSlopes::new(facet, corners)
     }
 
     #[inline(always)]
-    fn run(slopes: &Slopes, right: u32, down: u32) -> Level {
-        Level::new(slopes, right, down)
+    fn run(slopes: &ByteSlopes, right: u32, down: u32) -> Level {
+        slopes.run(right, down)
     }
 
     #[inline(always)]
@@ -355,6 +381,11 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
             V::step(run);
         }
     }
+
+    #[inline(always)]
+    fn reach(slopes: &Self::Slopes) -> u32 {
+        slopes.iter().map(V::reach).fold(u32::MAX, u32::min)
+    }
 }
 
 macro_rules! tuple {
@@ -381,6 +412,11 @@ macro_rules! tuple {
             #[inline(always)]
             fn step(run: &mut Self::Run) {
                 $($name::step(&mut run.$place);)*
+            }
+
+            #[inline(always)]
+            fn reach(slopes: &Self::Slopes) -> u32 {
+                u32::MAX$(.min($name::reach(&slopes.$place)))*
             }
         }
     };

@@ -24,6 +24,12 @@ pub(crate) const fn low_u32(bits: u64) -> u32 {
     bits as u32
 }
 
+/// The low 64 bits.
+#[inline(always)]
+pub(crate) const fn low_u64(bits: u128) -> u64 {
+    bits as u64
+}
+
 /// A number that is known not to be negative, as an index.
 #[inline(always)]
 pub(crate) const fn index(n: i32) -> usize {

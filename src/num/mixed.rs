@@ -13,12 +13,6 @@ pub(crate) struct Mixed {
 }
 
 impl Mixed {
-    /// A whole number and a half.
-    #[inline(always)]
-    pub(crate) const fn and_a_half(whole: i32) -> Self {
-        Self { whole, fraction: 1 << 63 }
-    }
-
     /// A whole number.
     #[inline(always)]
     pub(crate) const fn from_whole(whole: i32) -> Self {

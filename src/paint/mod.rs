@@ -25,7 +25,7 @@
 //! ```
 
 mod brush;
-mod colors;
+pub mod colors;
 mod shade;
 mod solid;
 mod traits;

@@ -2,7 +2,7 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{varying::Row, Plane, Varying},
+    geom::{Plane, Varying},
     span::ClippedSpan,
     surface::Surface,
 };
@@ -28,17 +28,23 @@ impl<V: Varying, F> Shade<V, F> {
 impl<S: Surface, V: Varying, F: FnMut(V) -> S::Color> Paint<S> for Shade<V, F> {
     #[inline(always)]
     fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        write_row(on, span, self.plane.row(span.x0(), span.y()), &mut self.color);
+        span.parts(self.plane.reach(), |part| {
+            write_run(on, part, self.plane.run(part.x0(), part.y()), &mut self.color);
+        });
     }
 }
 
 /// The loop along a row: a function of its own, so that the state of the row has the registers to itself.
 #[inline(never)]
-fn write_row<S: Surface, V: Varying>(
+fn write_run<S: Surface, V: Varying>(
     on: &mut S,
     span: ClippedSpan,
-    mut row: Row<V>,
+    mut run: V::Run,
     color: &mut impl FnMut(V) -> S::Color,
 ) {
-    on.write_span(span, move |_| color(row.take_one()));
+    on.write_span(span, move |_| {
+        let value = V::value(&run);
+        V::step(&mut run);
+        color(value)
+    });
 }

@@ -1,7 +1,7 @@
 //! [`Span`] and [`ClippedSpan`]: pixels of one row.
 
 use super::rect::Rect;
-use crate::num::cast::unsigned;
+use crate::num::cast::{signed, unsigned};
 
 /// Pixels `x0..x1` of row `y`, anywhere. Empty when `x0 >= x1`.
 /// ```
@@ -80,6 +80,18 @@ impl ClippedSpan {
     #[inline(always)]
     pub const fn x1(self) -> i32 {
         self.x1
+    }
+
+    /// Calls `f` with its parts, from left to right, each of `most` pixels but the last one. `most` is not 0.
+    #[inline(always)]
+    pub(crate) fn parts(self, most: u32, mut f: impl FnMut(Self)) {
+        let mut rest = self;
+        while rest.len() > most {
+            let x1 = rest.x0.wrapping_add(signed(most));
+            f(Self { x1, ..rest });
+            rest.x0 = x1;
+        }
+        f(rest);
     }
 
     /// Number of pixels, at least 1.

@@ -1,6 +1,8 @@
 //! Values over triangles against exact ratios at every pixel, up to the largest triangles that are allowed.
 
+use embedded_graphics_core::pixelcolor::{Bgr555, Rgb565, Rgb888, RgbColor};
 use embedded_raster::{
+    pixel::Rgb332,
     geom::{Barycentric, Facet, Fast, Plane, Varying},
     raster::triangle,
     ClippedSpan, PointFx, Rect, TriangleTooLarge,
@@ -68,14 +70,15 @@ fn compare<V: Varying>(
         let facet = Facet::new(corners(units)).unwrap();
         let plane = Plane::new(&facet, values.map(&from));
         triangle::fill(corners(units), window, |span: ClippedSpan| {
-            let columns = span.x0()..span.x1();
-            for ((x, got), n) in columns.zip(plane.row(span.x0(), span.y())).zip(0..) {
+            let mut columns = (span.x0()..span.x1()).zip(0..);
+            plane.each(span.x0(), span.y(), span.len(), |got| {
+                let (x, n) = columns.next().unwrap();
                 let wanted = planes::nearest(units, values, x, span.y());
                 let ratio = planes::ratio(units, values, x, span.y());
                 assert!(check(got, ratio, wanted, n), "{units:?} with {values:?} at {x}, {}: not {wanted}", span.y());
                 assert!((*values.iter().min().unwrap()..=*values.iter().max().unwrap()).contains(&(wanted as i64)));
                 seen += 1;
-            }
+            });
         });
     }
     seen
@@ -129,12 +132,15 @@ fn the_largest_triangles_are_exact() {
             for y in (rows.0..=rows.1).step_by(((rows.1 - rows.0) / 9).max(1) as usize) {
                 let window = Rect::new(-20_000, y, 20_000, y + 1);
                 triangle::fill(corners(units), window, |span: ClippedSpan| {
-                    let (bytes, words) = (bytes.row(span.x0(), y), words.row(span.x0(), y));
-                    for ((x, byte), word) in (span.x0()..span.x1()).zip(bytes).zip(words) {
+                    let mut row = vec![];
+                    bytes.each(span.x0(), y, span.len(), |byte| row.push(u32::from(byte)));
+                    let mut columns = (span.x0()..span.x1()).zip(row);
+                    words.each(span.x0(), y, span.len(), |word| {
+                        let (x, byte) = columns.next().unwrap();
                         let wanted = planes::nearest(units, values, x, y);
                         assert_eq!(i128::from(byte), wanted, "{units:?} {values:?} at {x}, {y}");
                         assert_eq!(i128::from(word), wanted, "{units:?} {values:?} at {x}, {y}");
-                    }
+                    });
                 });
             }
         }
@@ -170,12 +176,10 @@ fn arrays_and_tuples_are_their_parts() {
     let byte = Plane::new(&facet, [1_u8, 200, 60]);
     let words = [[5_u16, 1000, 60_000], [6, 0, 8], [7, 7, 7]].map(|values| Plane::new(&facet, values));
     let number = Plane::new(&facet, [-4_i32, 9, 1 << 30]);
-    let one = |row: &mut dyn Iterator<Item = u16>| row.next().unwrap();
     for (x, y) in [(40, 30), (41, 60), (60, 33)] {
-        let (a, b, c) = plane.row(x, y).next().unwrap();
-        assert_eq!(a, byte.row(x, y).next().unwrap());
-        assert_eq!(b, [0, 1, 2].map(|i| one(&mut words[i].row(x, y))));
-        assert_eq!(c, number.row(x, y).next().unwrap());
+        let (a, b, c) = plane.at(x, y);
+        assert_eq!((a, c), (byte.at(x, y), number.at(x, y)));
+        assert_eq!(b, words.each_ref().map(|word| word.at(x, y)));
     }
 }
 
@@ -199,8 +203,10 @@ fn a_split_triangle_shows_the_whole() {
                 let facet = Facet::new(corners(part.map(|p| p.0))).unwrap();
                 let plane = Plane::new(&facet, part.map(|p| (p.1 as u8, p.1 as i32, I16F16::from_num(p.1))));
                 triangle::fill(corners(part.map(|p| p.0)), Rect::new(0, 0, 40, 40), |span: ClippedSpan| {
-                    let columns = span.x0()..span.x1();
-                    pixels.extend(columns.zip(plane.row(span.x0(), span.y())).map(|(x, value)| (span.y(), x, value)));
+                    let mut columns = span.x0()..span.x1();
+                    plane.each(span.x0(), span.y(), span.len(), |value| {
+                        pixels.push((span.y(), columns.next().unwrap(), value));
+                    });
                 });
             }
             pixels.sort_unstable();
@@ -283,4 +289,38 @@ fn weights_are_exact_anywhere_and_parts_sum_to_one() {
             assert_eq!(i128::from(got.mix(values)), mean, "{units:?} at {at:?} of {values:?}");
         }
     }
+}
+
+/// Each channel of a colour by itself, in all their packings.
+#[test]
+fn colors_have_the_nearest_levels() {
+    fn levels<C: Varying + RgbColor>(seed: u64, kinds: &[usize], from: impl Fn([u8; 3]) -> C) {
+        let (mut rng, mut seen) = (Rng::new(seed), 0);
+        for i in 0..cases(TRIANGLES) {
+            let (units, window) = triangle(&mut rng, kinds[i % kinds.len()]);
+            let colors = [(); 3].map(|()| from([(); 3].map(|()| rng.int(0, 255) as u8)));
+            let plane = Plane::new(&Facet::new(corners(units)).unwrap(), colors);
+            triangle::fill(corners(units), window, |span: ClippedSpan| {
+                let mut columns = span.x0()..span.x1();
+                plane.each(span.x0(), span.y(), span.len(), |got| {
+                    let x = columns.next().unwrap();
+                    for channel in [C::r, C::g, C::b] {
+                        let values = colors.each_ref().map(|c| i64::from(channel(c)));
+                        let wanted = planes::nearest(units, values, x, span.y());
+                        assert_eq!(i128::from(channel(&got)), wanted, "{units:?} with {values:?} at {x}, {}", span.y());
+                    }
+                    seen += 1;
+                });
+            });
+        }
+        assert!(seen > cases(TRIANGLES));
+    }
+    let all: Vec<usize> = (0..48).collect();
+    levels(11, &all, |[r, g, b]| Rgb565::new(r, g, b));
+    levels(12, &all, |[r, g, b]| Rgb888::new(r, g, b));
+    levels(13, &all, |[r, g, b]| Rgb332::new(r, g, b));
+    levels(14, &all, |[r, g, b]| Bgr555::new(r, g, b));
+    // Large triangles only: runs of a few pixels, and of one.
+    let large: Vec<usize> = (0..48).filter(|kind| kind % 6 >= 3).collect();
+    levels(15, &large, |[r, g, b]| Rgb565::new(r, g, b));
 }
