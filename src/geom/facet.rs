@@ -47,6 +47,8 @@ pub struct Facet {
     divisor: Divisor,
     /// The first pixel of its box.
     first: (i32, i32),
+    /// Width and height of the box together, in pixels, rounded up.
+    extent: u32,
 }
 
 impl Facet {
@@ -74,6 +76,7 @@ impl Facet {
             area: area.wrapping_abs(),
             divisor: Divisor::new(area.unsigned_abs()),
             first: (first_centre_from(left), first_centre_from(upper)),
+            extent: width.wrapping_add(height).div_ceil(256),
         })
     }
 
@@ -102,6 +105,12 @@ impl Facet {
         self.first
     }
 
+    /// Width and height of its box together, in pixels, rounded up.
+    #[inline(always)]
+    pub(crate) const fn extent(&self) -> u32 {
+        self.extent
+    }
+
     /// How often twice its area goes into a number; at most 2^31 - 1.
     #[inline]
     pub(crate) fn times_in(&self, n: i64) -> u32 {
@@ -109,30 +118,61 @@ impl Facet {
         unsigned(saturate(q))
     }
 
-    /// How a value changes: what is cut to the nearest value at the first pixel of the box, and what it gains to the right and
-    /// downwards. Each is at least the true number, and above it by at most 3 or, if `is_wide`, 6 units of 2^-64.
+    /// What the mean of three values gains in a unit to the right and downwards, and what it has at the centre of the first pixel
+    /// of the box, more than the first value has there: numerators above twice the area.
     ///
-    /// The nearest whole number to N / D is the whole part of (N + floor(D / 2)) / D, halves upwards.
-    ///
-    /// If not `is_wide`, the values differ by less than 2^18.
+    /// The values differ by less than 2^18, or by less than 2^33 if the last of the three is not used. The first two are below 2^23.6
+    /// times that, the last below 2^63; for bytes, below 2^30.6 and 2^51.2.
     #[inline]
-    pub(super) fn slopes(&self, [v0, v1, v2]: [i64; 3], is_wide: bool) -> [Mixed; 3] {
+    fn numerators(&self, [v0, v1, v2]: [i64; 3]) -> ([i64; 2], i64) {
         let [a, b, c] = self.corners;
         let (b, c) = ((difference(b.0, a.0), difference(b.1, a.1)), (difference(c.0, a.0), difference(c.1, a.1)));
         let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
-        // Below 2^54.6: differences of values below 2^32 times sides below 2^21.6 units, twice.
         let right = self.turn.wrapping_mul(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
         let down = self.turn.wrapping_mul(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
-        // From the first corner to the centre of the first pixel: below 2^21.6 too.
-        let x = centre(self.first.0).wrapping_sub(a.0.into());
-        let y = centre(self.first.1).wrapping_sub(a.1.into());
+        let (x, y) = self.to_first();
+        ([right, down], right.wrapping_mul(x).wrapping_add(down.wrapping_mul(y)))
+    }
+
+    /// From the first corner to the centre of the first pixel of the box, in units.
+    #[inline(always)]
+    fn to_first(&self) -> (i64, i64) {
+        let [a, _, _] = self.corners;
+        (centre(self.first.0).wrapping_sub(a.0.into()), centre(self.first.1).wrapping_sub(a.1.into()))
+    }
+
+    /// How a byte changes: what is cut to the nearest value at the first pixel of the box, and what it gains to the right and
+    /// downwards, with so many bits of fraction.
+    ///
+    /// The nearest whole number to N / D, halves upwards, is the whole part of (N + floor(D / 2)) / D. Each number is at least the
+    /// true one, and above it by less than 1 + 2^(bits - 55) |n| / D, where n is a numerator.
+    #[inline]
+    pub(crate) fn byte_slopes(&self, values: [u8; 3], bits: u32) -> [u64; 3] {
+        let [v0, _, _] = values;
+        let start = u64::from(v0) << bits;
+        if self.area == 0 {
+            return [start, 0, 0];
+        }
+        let ([right, down], n) = self.numerators(values.map(i64::from));
+        [
+            start.wrapping_add(self.divisor.ratio(n.wrapping_add(self.area >> 1), bits)),
+            self.divisor.ratio(right, bits.wrapping_add(8)),
+            self.divisor.ratio(down, bits.wrapping_add(8)),
+        ]
+    }
+
+    /// The same for any number: with 64 bits of fraction, above the true numbers by at most 3 or, if `is_wide`, 6 units.
+    ///
+    /// If not `is_wide`, the values differ by less than 2^18.
+    #[inline]
+    pub(super) fn slopes(&self, values: [i64; 3], is_wide: bool) -> [Mixed; 3] {
+        let [v0, _, _] = values;
         let (start, half) = (Mixed::from_whole(narrow(v0)), self.area >> 1);
         if self.area == 0 {
             return [start, Mixed::default(), Mixed::default()];
         }
+        let ([right, down], n) = self.numerators(values);
         if !is_wide {
-            // Below 2^63: 2^18 2^21.6 2 2^21.6, twice.
-            let n = right.wrapping_mul(x).wrapping_add(down.wrapping_mul(y));
             return [
                 start + self.divisor.divide(n.wrapping_add(half)),
                 self.divisor.divide(right.wrapping_mul(256)),
@@ -142,8 +182,10 @@ impl Facet {
         let [along, below] = [right, down].map(|n| self.divisor.quotient(n));
         // A remainder is below 2^41.2, times a distance below 2^62.8.
         let part = |(q, r): (i64, u64), n: i64, more: i64| {
-            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(signed_wide(r).wrapping_mul(n).wrapping_add(more))
+            let rest = signed_wide(r).wrapping_mul(n).wrapping_add(more);
+            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(rest)
         };
+        let (x, y) = self.to_first();
         [start + part(along, x, half) + part(below, y, 0), part(along, 256, 0), part(below, 256, 0)]
     }
 }

@@ -11,8 +11,8 @@
 //! 2^41.2, and x + y below 12,288 = 2^13.6.
 //! - Numbers of up to 32 bits are kept with 64 bits of fraction. A step adds at most 6 units of 2^-64: 2^(2.6 + 13.6 + 41.2) is
 //!   below 2^64.
-//! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1.1 units of 2^-56: 2^(0.2 + 13.6 + 41.2) is
-//!   below 2^56.
+//! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1 + 2 n / D units of 2^-56, with n below
+//!   2^30.6 for a step, and below 2^52 for the start: 2^(13.6 + 41.2) + 2^(1 + 13.6 + 30.6) + 2^53 is below 2^56.
 //! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. That is enough for some
 //!   pixels, as many as [`reach`](Varying::reach) says; then they are computed anew.
 //!
@@ -154,13 +154,12 @@ pub struct ByteSlopes {
 }
 
 impl ByteSlopes {
-    /// Bits before the point.
-    pub(crate) const BITS: u32 = 8;
+    /// Bits of the fraction.
+    pub(crate) const BITS: u32 = 56;
 
     #[inline(always)]
     pub(crate) fn new(facet: &Facet, corners: [u8; 3]) -> Self {
-        let [start, right, down] =
-            facet.slopes(corners.map(i64::from), false).map(|n| n.cut(Self::BITS).wrapping_add(1));
+        let [start, right, down] = facet.byte_slopes(corners, Self::BITS);
         Self { start, right, down }
     }
 
@@ -181,7 +180,7 @@ pub struct Level {
 impl Level {
     #[inline(always)]
     fn value(self) -> u8 {
-        low_u8(low_u32(self.at >> (64 - ByteSlopes::BITS)))
+        low_u8(low_u32(self.at >> ByteSlopes::BITS))
     }
 
     #[inline(always)]

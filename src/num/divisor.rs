@@ -74,6 +74,35 @@ impl Divisor {
     }
 }
 
+impl Divisor {
+    /// `2^bits n / d`, for up to 64 bits: not below it, and above it by less than `1 + 2^(bits - 63) |n| / d`. Of the whole part of
+    /// what is wanted, what is left in 64 bits.
+    ///
+    /// |n| times the reciprocal, divided by `2^(127 - s - bits)`: the reciprocal is too small by at most 1 + 2^-63. So it is right for
+    /// a negative n, and of another n the reciprocal is taken with 1 more.
+    #[inline]
+    pub(crate) fn ratio(&self, n: i64, bits: u32) -> u64 {
+        let m = n.unsigned_abs();
+        let (mut high, mut low) = (high_product(m, self.inverse), m.wrapping_mul(self.inverse));
+        if n >= 0 {
+            let (sum, carry) = low.overflowing_add(m);
+            (high, low) = (high.wrapping_add(carry.into()), sum);
+        }
+        // 127 - s is 64 more than `down`: from 0 to 126.
+        let shift = self.down.wrapping_add(64).wrapping_sub(bits);
+        let cut = match shift {
+            0 => low,
+            1..64 => high << (64 - shift) | low >> shift,
+            _ => high >> (shift & 63),
+        };
+        if n >= 0 {
+            cut.wrapping_add(1)
+        } else {
+            cut.wrapping_neg()
+        }
+    }
+}
+
 /// The high half of a product of 128 bits.
 #[inline]
 fn high_product(a: u64, b: u64) -> u64 {
@@ -163,6 +192,25 @@ mod tests {
             }
             check(i64::MIN, d);
             check(i64::MAX, d);
+        }
+    }
+
+    #[test]
+    fn ratios_are_close_from_above() {
+        let ends: std::vec::Vec<u64> = (0..42).flat_map(|b| [1 << b, (1 << b) + 1, (1_u64 << b) * 3 - 1]).collect();
+        for &d in &ends {
+            for n in (0..52).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 - 1]).chain([0]) {
+                for (n, bits) in [(n, 64), (-n, 64), (n, 56), (-n, 56), (n, 37), (-n, 37), (n, 1), (-n, 0)] {
+                    let got = Divisor::new(d).ratio(n, bits);
+                    // got - 2^bits n / d, times d; of got, 64 bits are known.
+                    let exact = i128::from(n) << bits;
+                    let floor = exact.div_euclid(d.into());
+                    let over = i128::from(got.wrapping_sub(floor as u64));
+                    let excess = over * i128::from(d) - exact.rem_euclid(d.into());
+                    let most = i128::from(d) + ((i128::from(n).abs() << bits) >> 63) + 1;
+                    assert!((0..=most).contains(&excess), "2^{bits} {n} / {d}: {got}, {excess} / d too large");
+                }
+            }
         }
     }
 

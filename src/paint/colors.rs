@@ -58,9 +58,14 @@ pub struct Levels([u8; 3]);
 
 /// How three levels change over a triangle.
 #[derive(Copy, Clone, Debug)]
-pub struct LevelSlopes {
-    levels: [ByteSlopes; 3],
-    reach: u32,
+#[non_exhaustive]
+pub enum LevelSlopes {
+    /// In a small triangle: at the first pixel of its box, to the right, and downwards.
+    #[doc(hidden)]
+    Packed([u128; 3]),
+    /// In a large one, and for how many pixels a run is right.
+    #[doc(hidden)]
+    Apart([ByteSlopes; 3], u32),
 }
 
 /// Three levels at one pixel.
@@ -75,20 +80,28 @@ impl Levels {
     const BITS: u32 = 37;
     /// The lowest bit of each fraction.
     const PLACES: [u32; 3] = [86, 43, 1];
-    /// What D times the number of steps may be, and 3 % less, as the first pixel and the steps have an excess of their own.
+    /// What D times the number of steps may be, and 3 % less, as the start has an excess of its own.
     const MOST: i64 = (1 << Self::BITS) - (1 << (Self::BITS - 5));
 
-    /// The sum of three numbers with 56 bits of fraction, each cut to 37 and then larger by `more` units.
+    /// Three numbers with that many bits of fraction, as one.
     #[inline(always)]
-    fn packed([a, b, c]: [u64; 3], more: i64) -> u128 {
-        let part = |n: u64, place: u32| {
-            let cut = (signed_wide(n) >> (64 - ByteSlopes::BITS - Self::BITS)).wrapping_add(more);
-            // The sign fills the words above.
-            i128::from(cut).cast_unsigned() << place
-        };
+    fn packed(levels: [u64; 3]) -> u128 {
+        let [a, b, c] = levels.map(|n| i128::from(signed_wide(n)).cast_unsigned());
         let [first, second, third] = Self::PLACES;
-        part(a, first).wrapping_add(part(b, second)).wrapping_add(part(c, third))
+        (a << first).wrapping_add(b << second).wrapping_add(c << third)
     }
+}
+
+/// So many times as much.
+#[inline(always)]
+fn times(n: u128, factor: u32) -> u128 {
+    let product = |word: u128| u64::from(low_u32(low_u64(word))).wrapping_mul(factor.into());
+    let (low, rest) = (product(n), product(n >> 32));
+    let middle = rest.wrapping_add(low >> 32);
+    let high = product(n >> 64).wrapping_add(middle >> 32);
+    let top = low_u32(product(n >> 96)).wrapping_add(low_u32(high >> 32));
+    let words = [low_u32(low), low_u32(middle), low_u32(high), top];
+    words.into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 
 impl Varying for Levels {
@@ -98,16 +111,24 @@ impl Varying for Levels {
     #[inline(always)]
     fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> LevelSlopes {
         let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|Self([r, g, b])| (r, g, b));
-        let levels = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]].map(|corners| ByteSlopes::new(facet, corners));
-        LevelSlopes { levels, reach: facet.times_in(Self::MOST).saturating_sub(1).max(1) }
+        let levels = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]];
+        let reach = facet.times_in(Self::MOST);
+        if reach > facet.extent().wrapping_add(2) {
+            let [a, b, c] = levels.map(|corners| facet.byte_slopes(corners, Self::BITS));
+            let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|[s, r, d]| (s, r, d));
+            return LevelSlopes::Packed([[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]].map(Self::packed));
+        }
+        LevelSlopes::Apart(levels.map(|corners| ByteSlopes::new(facet, corners)), reach.saturating_sub(1).max(1))
     }
 
     #[inline(always)]
     fn run(slopes: &LevelSlopes, right: u32, down: u32) -> LevelRun {
-        let runs = slopes.levels.each_ref().map(|slopes| slopes.run(right, down));
-        // Alone, a pixel has to be right without a unit more: its unit may be larger than 1 / D.
-        let more = i64::from(slopes.reach > 1);
-        LevelRun { at: Self::packed(runs.map(|run| run.at), more), by: Self::packed(runs.map(|run| run.by), 1) }
+        match *slopes {
+            LevelSlopes::Packed([start, by, below]) => {
+                LevelRun { at: start.wrapping_add(times(by, right)).wrapping_add(times(below, down)), by }
+            }
+            LevelSlopes::Apart(ref levels, reach) => run_apart(levels, reach, right, down),
+        }
     }
 
     #[inline(always)]
@@ -127,8 +148,24 @@ impl Varying for Levels {
 
     #[inline(always)]
     fn reach(slopes: &LevelSlopes) -> u32 {
-        slopes.reach
+        match *slopes {
+            LevelSlopes::Packed(_) => u32::MAX,
+            LevelSlopes::Apart(_, reach) => reach,
+        }
     }
+}
+
+/// In a large triangle runs are computed from finer numbers.
+#[inline(never)]
+fn run_apart(levels: &[ByteSlopes; 3], reach: u32, right: u32, down: u32) -> LevelRun {
+    // Alone, a pixel has to be right without a unit more: its unit may be larger than 1 / D.
+    let more = u64::from(reach > 1);
+    let cut = |n: u64, more: u64| {
+        (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more)
+    };
+    let runs = levels.each_ref().map(|slopes| slopes.run(right, down));
+    let at = Levels::packed(runs.map(|run| cut(run.at, more)));
+    LevelRun { at, by: Levels::packed(runs.map(|run| cut(run.by, 1))) }
 }
 
 macro_rules! rgb {

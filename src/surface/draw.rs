@@ -82,6 +82,18 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     }
 
     #[inline(always)]
+    fn write_span(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> L::Color) {
+        let Some(span) = self.again(span) else { return };
+        let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
+        let (memory, grid) = self.write();
+        L::write_span(memory, grid, y, columns, || {
+            let color = color_at(x);
+            x = x.wrapping_add(1);
+            color
+        });
+    }
+
+    #[inline(always)]
     fn write_some(&mut self, span: ClippedSpan, color_at: impl FnMut(i32) -> Option<L::Color>) {
         if let Some(span) = self.again(span) {
             self.write_inside(Inside(Said::Span(span)), color_at);
@@ -93,7 +105,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
         let Said::Span(span) = what.0 else { return };
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();
-        L::write_span(memory, grid, y, columns, || {
+        L::write_some(memory, grid, y, columns, || {
             let color = color_at(x);
             x = x.wrapping_add(1);
             color

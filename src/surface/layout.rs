@@ -120,9 +120,21 @@ pub trait Layout: 'static {
         false
     }
 
-    /// Writes the pixels `x0..x1` of row y from left to right. For each, `next` gives a colour, or `None` to leave it as it is.
+    /// Writes the pixels `x0..x1` of row y from left to right, each in the colour that `next` gives.
     #[inline]
     fn write_span(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        mut next: impl FnMut() -> Self::Color,
+    ) {
+        Self::write_some(memory, grid, y, columns, || Some(next()));
+    }
+
+    /// Writes the pixels `x0..x1` of row y from left to right. For each, `next` gives a colour, or `None` to leave it as it is.
+    #[inline]
+    fn write_some(
         memory: &mut [u8],
         grid: Grid,
         y: usize,
@@ -259,6 +271,6 @@ pub trait Layout: 'static {
         (on, off): (Self::Color, Option<Self::Color>),
     ) {
         let mut is_set = mask::one_by_one(bits);
-        Self::write_span(memory, grid, y, columns, || if is_set() { Some(on) } else { off });
+        Self::write_some(memory, grid, y, columns, || if is_set() { Some(on) } else { off });
     }
 }

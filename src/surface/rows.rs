@@ -121,6 +121,17 @@ impl<F: PixelFormat> Layout for Rows<F> {
         grid: Grid,
         y: usize,
         columns: (usize, usize),
+        mut next: impl FnMut() -> F::Color,
+    ) {
+        rows::write_all::<F>(memory, start(grid, y), columns, || F::pack(next()));
+    }
+
+    #[inline(always)]
+    fn write_some(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
         mut next: impl FnMut() -> Option<F::Color>,
     ) {
         rows::write::<F>(memory, start(grid, y), columns, || next().map(F::pack));

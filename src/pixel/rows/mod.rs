@@ -137,6 +137,21 @@ pub(crate) fn copy_keyed<F: PixelFormat>(
     }
 }
 
+/// Writes the pixels `x0..x1`, which are not empty, from left to right: what `next` gives.
+#[inline(always)]
+pub(crate) fn write_all<F: PixelFormat>(
+    memory: &mut [u8],
+    row: usize,
+    (x0, x1): (usize, usize),
+    next: impl FnMut() -> u32,
+) {
+    if F::BITS < 8 {
+        packed::write_all::<F>(memory, row, (x0, x1), next);
+    } else if let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
+        word::write_all::<F>(run, next);
+    }
+}
+
 /// Writes the pixels `x0..x1`, which are not empty, from left to right: what `next` gives, or nothing where that is `None`.
 #[inline(always)]
 pub(crate) fn write<F: PixelFormat>(

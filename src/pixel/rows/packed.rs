@@ -150,6 +150,44 @@ pub(super) fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
     nth::<F>(byte, x)
 }
 
+/// Writes pixels from left to right, byte by byte: what `next` gives. Whole bytes are assembled without a look at what is there.
+#[inline(always)]
+pub(super) fn write_all<F: PixelFormat>(
+    memory: &mut [u8],
+    row: usize,
+    (x0, x1): (usize, usize),
+    mut next: impl FnMut() -> u32,
+) {
+    let whole = last_in_byte::<F>().wrapping_add(1);
+    each_byte::<F>(memory, row, (x0, x1), |byte, (start, end)| {
+        if !COMPACT && end.wrapping_sub(start) == whole {
+            *byte = low_u8(pushed::<F>(whole, &mut next));
+            return;
+        }
+        let count = end.wrapping_sub(start);
+        let new = pushed::<F>(count, &mut next);
+        // Pushed in, the last pixel has the lowest bits of all, or for Lsb0 the highest ones of the byte.
+        let all = u32::from(u8::MAX);
+        let (first, last) = (shift::<F>(start), shift::<F>(end.wrapping_sub(1)));
+        let (new, written) = if F::LSB0 {
+            (new >> (8 - F::BITS).wrapping_sub(last), all << first & all >> (8 - F::BITS).wrapping_sub(last))
+        } else {
+            (new << last, all << last & all >> (8 - F::BITS).wrapping_sub(first))
+        };
+        *byte = merge(*byte, low_u8(new), low_u8(written));
+    });
+}
+
+/// So many pixels, each pushed in from the right, or for Lsb0 from the left of a byte.
+#[inline(always)]
+fn pushed<F: PixelFormat>(count: usize, next: &mut impl FnMut() -> u32) -> u32 {
+    let mut new = 0;
+    for _ in 0..count {
+        new = if F::LSB0 { new >> F::BITS | next() << (8 - F::BITS) } else { new << F::BITS | next() };
+    }
+    new
+}
+
 /// Writes pixels from left to right, byte by byte: what `next` gives, or nothing where that is `None`.
 #[inline(always)]
 pub(super) fn write<F: PixelFormat>(
