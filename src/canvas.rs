@@ -12,7 +12,7 @@ use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
     geom::{fill_rule::FillRule, Facet, Path, PathSegment, Plane, PointFx, Varying},
-    paint::{Brush, Paint, Shade},
+    paint::{Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
@@ -26,7 +26,7 @@ use crate::{
         triangle,
     },
     span::Rect,
-    surface::{Frame, Layout, Readable, Rows, Surface},
+    surface::{Depth, Frame, Layout, Readable, Rows, Surface},
 };
 
 /// Draws shapes on any [`Surface`]. What lies outside of its window is clipped; the pixels inside are those of the whole shape.
@@ -265,6 +265,30 @@ pub trait Canvas: Surface {
         Self: Sized,
     {
         let shade = Shade::new(Plane::new(&Facet::new(corners)?, values), color);
+        self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+        Ok(())
+    }
+
+    /// [`shade_triangle_fx`](Self::shade_triangle_fx) of the pixels whose depth passes a test: see
+    /// [`paint::depth`](crate::paint::depth). The corners have a depth and other values.
+    ///
+    /// Where `depth` has no pixel, nothing is painted.
+    ///
+    /// # Errors
+    /// If the triangle is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    fn depth_triangle_fx<M: AsMut<[u8]>, Z: Depth, V: Varying>(
+        &mut self,
+        corners: [PointFx; 3],
+        values: [(Z::Number, V); 3],
+        depth: &mut Frame<M, Rows<Z>>,
+        passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+        mut color: impl FnMut(V) -> Self::Color,
+    ) -> Result<(), TriangleTooLarge>
+    where
+        Self: Sized,
+    {
+        let plane = Plane::new(&Facet::new(corners)?, values);
+        let shade = DepthShade::new(depth, plane, passes, |values| Some(color(values)));
         self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
         Ok(())
     }

@@ -109,6 +109,12 @@ calls! { on, a, c, window;
     fill_rectangle_fx => on.fill_rectangle_fx(a.places[0], a.places[1], c);
     fill_triangle => on.fill_triangle(a.points, c);
     fill_triangle_fx => on.fill_triangle_fx(a.corners_fx(), c);
+    shade_triangle_fx => {
+        let (corners, [first, second]) = (a.corners_fx(), a.colors);
+        on.shade_triangle_fx(corners, [(0_u8, -9_i32), (128, i32::MAX), (255, 4)], |(level, number)| {
+            if u32::from(level) & 1 == number.unsigned_abs() & 1 { first } else { second }
+        })
+    };
     draw_ellipse => on.draw_ellipse(a.areas[0], c);
     fill_ellipse => on.fill_ellipse(a.areas[0], c);
     fill_ellipse_fx => on.fill_ellipse_fx(a.ellipses[0], c);

@@ -40,9 +40,10 @@ use crate::{
 /// ```
 #[derive(Copy, Clone, Debug)]
 pub struct Facet {
-    corners: [(i32, i32); 3],
-    /// 1 for clockwise corners on the screen, -1 for the other way.
-    turn: i64,
+    corner: (i32, i32),
+    /// From the first corner to the others; of a triangle whose corners turn the other way, from the others to the first.
+    sides: [(i32, i32); 2],
+    is_clockwise: bool,
     area: i64,
     divisor: Divisor,
     /// The first pixel of its box.
@@ -60,23 +61,32 @@ impl Facet {
     /// # Errors
     /// If its box is wider and higher, together, than [`MOST`](Self::MOST) pixels.
     pub fn new(corners: [PointFx; 3]) -> Result<Self, TriangleTooLarge> {
-        let corners = corners.map(bits);
-        let [a, b, c] = corners;
+        let [a, b, c] = corners.map(bits);
         let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
         let (upper, lower) = (a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1));
         let (width, height) = (right.abs_diff(left), lower.abs_diff(upper));
-        if width.saturating_add(height) > Self::MOST << 8 {
+        let extent = width.saturating_add(height);
+        if extent > Self::MOST << 8 {
             let (width, height) = (width.div_ceil(256), height.div_ceil(256));
             return Err(TriangleTooLarge { width, height, most: Self::MOST });
         }
-        let area = cross(a, b, c);
+        let (mut b, mut c) =
+            ((b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1)), (c.0.wrapping_sub(a.0), c.1.wrapping_sub(a.1)));
+        let product = |a: i32, b: i32| i64::from(a).wrapping_mul(b.into());
+        let area = product(b.0, c.1).wrapping_sub(product(b.1, c.0));
+        let is_clockwise = area >= 0;
+        if !is_clockwise {
+            let back = |(x, y): (i32, i32)| (x.wrapping_neg(), y.wrapping_neg());
+            (b, c) = (back(b), back(c));
+        }
         Ok(Self {
-            corners,
-            turn: if area < 0 { -1 } else { 1 },
+            corner: a,
+            sides: [b, c],
+            is_clockwise,
             area: area.wrapping_abs(),
             divisor: Divisor::new(area.unsigned_abs()),
             first: (first_centre_from(left), first_centre_from(upper)),
-            extent: width.wrapping_add(height).div_ceil(256),
+            extent: extent.div_ceil(256),
         })
     }
 
@@ -89,14 +99,20 @@ impl Facet {
     /// Whether its corners turn clockwise on the screen, where y points down. A triangle without area does.
     #[inline]
     pub const fn is_clockwise(&self) -> bool {
-        self.turn > 0
+        self.is_clockwise
     }
 
     /// Where a place lies: exactly, for every place that there is.
     pub fn weights(&self, at: PointFx) -> Barycentric {
-        let ([a, b, c], p) = (self.corners, bits(at));
-        let weight = |from, to| self.turn.wrapping_mul(cross(from, to, p));
-        Barycentric { weights: [weight(b, c), weight(c, a), weight(a, b)], total: self.area }
+        let (a, [b, c], p) = (self.corner, self.sides, bits(at));
+        let p = (difference(p.0, a.0), difference(p.1, a.1));
+        // Seen from the first corner, the weight of the second is a cross product with the third, and the other way round. Products
+        // are below 2^33 times 2^21.6.
+        let cross = |(ax, ay): (i64, i64), (bx, by): (i64, i64)| ax.wrapping_mul(by).wrapping_sub(ay.wrapping_mul(bx));
+        let wide = |(x, y): (i32, i32)| (i64::from(x), i64::from(y));
+        let (second, third) = (cross(p, wide(c)), cross(wide(b), p));
+        let first = self.area.wrapping_sub(second).wrapping_sub(third);
+        Barycentric { weights: [first, second, third], total: self.area }
     }
 
     /// The first pixel of its box.
@@ -118,61 +134,55 @@ impl Facet {
         unsigned(saturate(q))
     }
 
-    /// What the mean of three values gains in a unit to the right and downwards, and what it has at the centre of the first pixel
-    /// of the box, more than the first value has there: numerators above twice the area.
-    ///
-    /// The values differ by less than 2^18, or by less than 2^33 if the last of the three is not used. The first two are below 2^23.6
-    /// times that, the last below 2^63; for bytes, below 2^30.6 and 2^51.2.
-    #[inline]
-    fn numerators(&self, [v0, v1, v2]: [i64; 3]) -> ([i64; 2], i64) {
-        let [a, b, c] = self.corners;
-        let (b, c) = ((difference(b.0, a.0), difference(b.1, a.1)), (difference(c.0, a.0), difference(c.1, a.1)));
-        let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
-        let right = self.turn.wrapping_mul(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
-        let down = self.turn.wrapping_mul(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
-        let (x, y) = self.to_first();
-        ([right, down], right.wrapping_mul(x).wrapping_add(down.wrapping_mul(y)))
-    }
-
-    /// From the first corner to the centre of the first pixel of the box, in units.
+    /// From the first corner to the centre of the first pixel of the box, in units; less than 2^21.6.
     #[inline(always)]
-    fn to_first(&self) -> (i64, i64) {
-        let [a, _, _] = self.corners;
-        (centre(self.first.0).wrapping_sub(a.0.into()), centre(self.first.1).wrapping_sub(a.1.into()))
+    fn to_first(&self) -> (i32, i32) {
+        let centre = |pixel: i32| pixel.wrapping_mul(256).wrapping_add(128);
+        (centre(self.first.0).wrapping_sub(self.corner.0), centre(self.first.1).wrapping_sub(self.corner.1))
     }
 
     /// How a byte changes: what is cut to the nearest value at the first pixel of the box, and what it gains to the right and
     /// downwards, with so many bits of fraction.
     ///
     /// The nearest whole number to N / D, halves upwards, is the whole part of (N + floor(D / 2)) / D. Each number is at least the
-    /// true one, and above it by less than 1 + 2^(bits - 55) |n| / D, where n is a numerator.
-    #[inline]
-    pub(crate) fn byte_slopes(&self, values: [u8; 3], bits: u32) -> [u64; 3] {
-        let [v0, _, _] = values;
+    /// true one, and above it by less than 1 + 2^(bits - 55) |n| / D, where n is a numerator: below 2^30.6 for a gain in a unit, below
+    /// 2^52 for the start.
+    #[inline(never)]
+    pub(crate) fn byte_slopes(&self, [v0, v1, v2]: [u8; 3], bits: u32) -> [u64; 3] {
         let start = u64::from(v0) << bits;
         if self.area == 0 {
             return [start, 0, 0];
         }
-        let ([right, down], n) = self.numerators(values.map(i64::from));
+        let [b, c] = self.sides;
+        let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
+        let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
+        let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
+        let ((x, y), product) = (self.to_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
+        let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
         [
-            start.wrapping_add(self.divisor.ratio(n.wrapping_add(self.area >> 1), bits)),
-            self.divisor.ratio(right, bits.wrapping_add(8)),
-            self.divisor.ratio(down, bits.wrapping_add(8)),
+            start.wrapping_add(self.divisor.ratio(n, bits)),
+            self.divisor.narrow_ratio(right, bits.wrapping_add(8)),
+            self.divisor.narrow_ratio(down, bits.wrapping_add(8)),
         ]
     }
 
     /// The same for any number: with 64 bits of fraction, above the true numbers by at most 3 or, if `is_wide`, 6 units.
     ///
-    /// If not `is_wide`, the values differ by less than 2^18.
+    /// If not `is_wide`, the values differ by less than 2^18. The gain of a unit is below 2^23.6 times a difference of values.
     #[inline]
-    pub(super) fn slopes(&self, values: [i64; 3], is_wide: bool) -> [Mixed; 3] {
-        let [v0, _, _] = values;
+    pub(super) fn slopes(&self, [v0, v1, v2]: [i64; 3], is_wide: bool) -> [Mixed; 3] {
         let (start, half) = (Mixed::from_whole(narrow(v0)), self.area >> 1);
         if self.area == 0 {
             return [start, Mixed::default(), Mixed::default()];
         }
-        let ([right, down], n) = self.numerators(values);
+        let ([b, c], product) = (self.sides, |v: i64, side: i32| v.wrapping_mul(side.into()));
+        let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
+        let right = product(v1, c.1).wrapping_sub(product(v2, b.1));
+        let down = product(v2, b.0).wrapping_sub(product(v1, c.0));
+        let (x, y) = self.to_first();
         if !is_wide {
+            // Below 2^63.
+            let n = product(right, x).wrapping_add(product(down, y));
             return [
                 start + self.divisor.divide(n.wrapping_add(half)),
                 self.divisor.divide(right.wrapping_mul(256)),
@@ -181,25 +191,12 @@ impl Facet {
         }
         let [along, below] = [right, down].map(|n| self.divisor.quotient(n));
         // A remainder is below 2^41.2, times a distance below 2^62.8.
-        let part = |(q, r): (i64, u64), n: i64, more: i64| {
-            let rest = signed_wide(r).wrapping_mul(n).wrapping_add(more);
-            Mixed::from_whole(narrow(q.wrapping_mul(n))) + self.divisor.divide(rest)
+        let part = |(q, r): (i64, u64), n: i32, more: i64| {
+            let rest = product(signed_wide(r), n).wrapping_add(more);
+            Mixed::from_whole(narrow(product(q, n))) + self.divisor.divide(rest)
         };
-        let (x, y) = self.to_first();
         [start + part(along, x, half) + part(below, y, 0), part(along, 256, 0), part(below, 256, 0)]
     }
-}
-
-/// Twice the area of a triangle, positive when its corners turn clockwise on the screen. Below 2^56 if two of them lie in a facet.
-#[inline]
-fn cross(a: (i32, i32), b: (i32, i32), p: (i32, i32)) -> i64 {
-    let (bx, by) = (difference(b.0, a.0), difference(b.1, a.1));
-    bx.wrapping_mul(difference(p.1, a.1)).wrapping_sub(by.wrapping_mul(difference(p.0, a.0)))
-}
-
-/// The centre of a pixel in units.
-fn centre(pixel: i32) -> i64 {
-    i64::from(pixel).wrapping_mul(256).wrapping_add(128)
 }
 
 /// Where a place lies in a triangle: three weights, and their sum. The place is the mean of the corners, weighted so.

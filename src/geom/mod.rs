@@ -36,6 +36,6 @@ pub use outlines::Outlines;
 pub use path::{Path, PathSegment};
 pub(crate) use point::bits;
 pub use point::{px, PointFx};
-pub(crate) use view::View;
 pub use varying::{Fast, Plane, Varying};
+pub(crate) use view::View;
 pub use viewport::Viewport;

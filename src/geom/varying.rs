@@ -11,10 +11,12 @@
 //! 2^41.2, and x + y below 12,288 = 2^13.6.
 //! - Numbers of up to 32 bits are kept with 64 bits of fraction. A step adds at most 6 units of 2^-64: 2^(2.6 + 13.6 + 41.2) is
 //!   below 2^64.
+//! - Along a row, numbers of 16 bits have 48 bits of fraction, which is enough for 100 pixels in the largest triangles; then they
+//!   are computed anew: see [`reach`](Varying::reach).
 //! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1 + 2 n / D units of 2^-56, with n below
 //!   2^30.6 for a step, and below 2^52 for the start: 2^(13.6 + 41.2) + 2^(1 + 13.6 + 30.6) + 2^53 is below 2^56.
 //! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. That is enough for some
-//!   pixels, as many as [`reach`](Varying::reach) says; then they are computed anew.
+//!   pixels, too.
 //!
 //! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
 //! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
@@ -46,14 +48,22 @@ use crate::num::{
 pub trait Varying: Copy {
     /// How it changes over a triangle.
     type Slopes: Copy + Debug;
+    /// Its value in the first column of a row.
+    type Row: Copy + Debug;
     /// Its value at one pixel, with what it gains from each to the next.
     type Run: Copy + Debug;
 
     /// How it changes over a triangle where it has these values at the corners.
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes;
 
-    /// So many pixels to the right of the first pixel of the triangle's box, and below it.
-    fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run;
+    /// A row so many pixels below the first row of the triangle's box.
+    fn row(slopes: &Self::Slopes, down: u32) -> Self::Row;
+
+    /// To the row below.
+    fn below(slopes: &Self::Slopes, row: &mut Self::Row);
+
+    /// A pixel of a row so many pixels to the right of the first column of the triangle's box.
+    fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run;
 
     /// The value.
     fn value(run: &Self::Run) -> Self;
@@ -86,7 +96,7 @@ impl<V: Varying> Plane<V> {
     /// The value at a pixel of the triangle. Outside of the triangle's box it means nothing.
     #[inline]
     pub fn at(&self, x: i32, y: i32) -> V {
-        V::value(&self.run(x, y))
+        V::value(&Rows::new(*self, y).run(x))
     }
 
     /// Calls `f` with the values of `n` pixels of the triangle, from (x, y) to the right.
@@ -100,8 +110,9 @@ impl<V: Varying> Plane<V> {
     /// ```
     #[inline]
     pub fn each(&self, mut x: i32, y: i32, mut n: u32, mut f: impl FnMut(V)) {
+        let rows = Rows::new(*self, y);
         while n > 0 {
-            let (part, mut run) = (n.min(self.reach()), self.run(x, y));
+            let (part, mut run) = (n.min(rows.reach()), rows.run(x));
             for _ in 0..part {
                 f(V::value(&run));
                 V::step(&mut run);
@@ -110,17 +121,50 @@ impl<V: Varying> Plane<V> {
         }
     }
 
-    /// The run that begins at a pixel.
+    /// The first row of the triangle's box.
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32) -> V::Run {
-        let (right, down) = (x.wrapping_sub(self.first.0), y.wrapping_sub(self.first.1));
-        V::run(&self.slopes, unsigned(right), unsigned(down))
+    pub(crate) const fn top(&self) -> i32 {
+        self.first.1
+    }
+}
+
+/// The rows of a plane, to be asked for from the top down.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct Rows<V: Varying> {
+    plane: Plane<V>,
+    y: i32,
+    row: V::Row,
+}
+
+impl<V: Varying> Rows<V> {
+    /// At row y.
+    #[inline(always)]
+    pub(crate) fn new(plane: Plane<V>, y: i32) -> Self {
+        let down = unsigned(y.wrapping_sub(plane.first.1));
+        Self { plane, y, row: V::row(&plane.slopes, down) }
+    }
+
+    /// To row y: the row below is one addition away.
+    #[inline(always)]
+    pub(crate) fn go_to(&mut self, y: i32) {
+        if y == self.y.wrapping_add(1) {
+            V::below(&self.plane.slopes, &mut self.row);
+            self.y = y;
+        } else if y != self.y {
+            *self = Self::new(self.plane, y);
+        }
+    }
+
+    /// The run that begins in column x of the row.
+    #[inline(always)]
+    pub(crate) fn run(&self, x: i32) -> V::Run {
+        V::run(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)))
     }
 
     /// For how many pixels a run is right.
     #[inline(always)]
     pub(crate) fn reach(&self) -> u32 {
-        V::reach(&self.slopes).max(1)
+        V::reach(&self.plane.slopes).max(1)
     }
 }
 
@@ -140,10 +184,19 @@ impl Slopes {
     }
 
     #[inline(always)]
-    fn at(&self, right: u32, down: u32) -> Mixed {
-        self.start + self.right.times(right) + self.down.times(down)
+    fn row(&self, down: u32) -> Mixed {
+        self.start + self.down.times(down)
+    }
+
+    #[inline(always)]
+    fn at(&self, row: Mixed, right: u32) -> Mixed {
+        row + self.right.times(right)
     }
 }
+
+/// The value of a number in the first column of a row.
+#[derive(Copy, Clone, Debug)]
+pub struct NumberRow(Mixed);
 
 /// How a byte changes over a triangle: in 64 bits, 8 of them before the point.
 #[derive(Copy, Clone, Debug)]
@@ -164,9 +217,13 @@ impl ByteSlopes {
     }
 
     #[inline(always)]
-    pub(crate) fn run(&self, right: u32, down: u32) -> Level {
-        let steps = self.right.wrapping_mul(right.into()).wrapping_add(self.down.wrapping_mul(down.into()));
-        Level { at: self.start.wrapping_add(steps), by: self.right }
+    pub(crate) fn row(&self, down: u32) -> u64 {
+        self.start.wrapping_add(self.down.wrapping_mul(down.into()))
+    }
+
+    #[inline(always)]
+    pub(crate) fn run(&self, row: u64, right: u32) -> Level {
+        Level { at: row.wrapping_add(self.right.wrapping_mul(right.into())), by: self.right }
     }
 }
 
@@ -191,6 +248,7 @@ impl Level {
 
 impl Varying for u8 {
     type Slopes = ByteSlopes;
+    type Row = u64;
     type Run = Level;
 
     #[inline(always)]
@@ -199,8 +257,18 @@ impl Varying for u8 {
     }
 
     #[inline(always)]
-    fn run(slopes: &ByteSlopes, right: u32, down: u32) -> Level {
-        slopes.run(right, down)
+    fn row(slopes: &ByteSlopes, down: u32) -> u64 {
+        slopes.row(down)
+    }
+
+    #[inline(always)]
+    fn below(slopes: &ByteSlopes, row: &mut u64) {
+        *row = row.wrapping_add(slopes.down);
+    }
+
+    #[inline(always)]
+    fn run(slopes: &ByteSlopes, row: &u64, right: u32) -> Level {
+        slopes.run(*row, right)
     }
 
     #[inline(always)]
@@ -214,6 +282,74 @@ impl Varying for u8 {
     }
 }
 
+/// How a number of 16 bits changes over a triangle.
+#[derive(Copy, Clone, Debug)]
+pub struct WordSlopes {
+    slopes: Slopes,
+    reach: u32,
+}
+
+/// A number of 16 bits at one pixel: in 64 bits, 48 of them behind the point.
+#[derive(Copy, Clone, Debug)]
+pub struct Word {
+    at: u64,
+    by: u64,
+}
+
+macro_rules! words {
+    ($($type:ty, |$n:ident| $value:expr;)*) => {
+        $(impl Varying for $type {
+            type Slopes = WordSlopes;
+            type Row = NumberRow;
+            type Run = Word;
+
+            #[inline(always)]
+            fn slopes(facet: &Facet, corners: [Self; 3]) -> WordSlopes {
+                // D times the steps may be 2^48, and 3 % less, as the start has an excess of its own.
+                let reach = facet.times_in((1 << 48) - (1 << 43)).saturating_sub(1);
+                WordSlopes { slopes: Slopes::new(facet, corners.map(i64::from), false), reach }
+            }
+
+            #[inline(always)]
+            fn row(slopes: &WordSlopes, down: u32) -> NumberRow {
+                NumberRow(slopes.slopes.row(down))
+            }
+
+            #[inline(always)]
+            fn below(slopes: &WordSlopes, row: &mut NumberRow) {
+                row.0 += slopes.slopes.down;
+            }
+
+            #[inline(always)]
+            fn run(slopes: &WordSlopes, row: &NumberRow, right: u32) -> Word {
+                let cut = |n: Mixed| n.cut(16).wrapping_add(1);
+                Word { at: cut(slopes.slopes.at(row.0, right)), by: cut(slopes.slopes.right) }
+            }
+
+            #[inline(always)]
+            fn value(run: &Word) -> Self {
+                let $n = low_u16(low_u32(run.at >> 48));
+                $value
+            }
+
+            #[inline(always)]
+            fn step(run: &mut Word) {
+                run.at = run.at.wrapping_add(run.by);
+            }
+
+            #[inline(always)]
+            fn reach(slopes: &WordSlopes) -> u32 {
+                slopes.reach
+            }
+        })*
+    };
+}
+
+words! {
+    u16, |n| n;
+    i16, |n| Self::from_le_bytes(n.to_le_bytes());
+}
+
 /// A number of up to 32 bits, in 96 bits.
 #[derive(Copy, Clone, Debug)]
 pub struct Wide {
@@ -225,6 +361,7 @@ macro_rules! wide {
     ($($type:ty, $is_wide:literal, |$n:ident| $bits:expr, |$back:ident| $value:expr;)*) => {
         $(impl Varying for $type {
             type Slopes = Slopes;
+            type Row = NumberRow;
             type Run = Wide;
 
             #[inline(always)]
@@ -233,8 +370,18 @@ macro_rules! wide {
             }
 
             #[inline(always)]
-            fn run(slopes: &Slopes, right: u32, down: u32) -> Wide {
-                Wide { at: slopes.at(right, down), by: slopes.right }
+            fn row(slopes: &Slopes, down: u32) -> NumberRow {
+                NumberRow(slopes.row(down))
+            }
+
+            #[inline(always)]
+            fn below(slopes: &Slopes, row: &mut NumberRow) {
+                row.0 += slopes.down;
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Slopes, row: &NumberRow, right: u32) -> Wide {
+                Wide { at: slopes.at(row.0, right), by: slopes.right }
             }
 
             #[inline(always)]
@@ -252,8 +399,6 @@ macro_rules! wide {
 }
 
 wide! {
-    u16, false, |n| n, |bits| low_u16(unsigned(bits));
-    i16, false, |n| n, |bits| low_i16(bits);
     i32, true, |n| n, |bits| bits;
     u32, true, |n| n, |bits| unsigned(bits);
     I16F16, true, |n| n.to_bits(), |bits| Self::from_bits(bits);
@@ -274,11 +419,11 @@ pub struct Short {
 
 impl Short {
     #[inline(always)]
-    pub(crate) fn new(slopes: &Slopes, right: u32, down: u32) -> Self {
+    pub(crate) fn new(slopes: &Slopes, row: Mixed, right: u32) -> Self {
         let cut = |n: Mixed| low_u32(n.cut(16) >> 32);
         // Towards zero, so that no value gets away from where the row began by more than it should.
         let up = u32::from(slopes.right.whole < 0);
-        Self { at: cut(slopes.at(right, down)), by: cut(slopes.right).wrapping_add(up) }
+        Self { at: cut(slopes.at(row, right)), by: cut(slopes.right).wrapping_add(up) }
     }
 
     #[inline(always)]
@@ -296,6 +441,7 @@ macro_rules! fast {
     ($($type:ty, |$n:ident| $value:expr;)*) => {
         $(impl Varying for Fast<$type> {
             type Slopes = Slopes;
+            type Row = NumberRow;
             type Run = Short;
 
             #[inline(always)]
@@ -304,8 +450,18 @@ macro_rules! fast {
             }
 
             #[inline(always)]
-            fn run(slopes: &Slopes, right: u32, down: u32) -> Short {
-                Short::new(slopes, right, down)
+            fn row(slopes: &Slopes, down: u32) -> NumberRow {
+                NumberRow(slopes.row(down))
+            }
+
+            #[inline(always)]
+            fn below(slopes: &Slopes, row: &mut NumberRow) {
+                row.0 += slopes.down;
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Slopes, row: &NumberRow, right: u32) -> Short {
+                Short::new(slopes, row.0, right)
             }
 
             #[inline(always)]
@@ -336,13 +492,20 @@ fn low_i16(n: i32) -> i16 {
 
 impl Varying for () {
     type Slopes = ();
+    type Row = ();
     type Run = ();
 
     #[inline(always)]
     fn slopes(_: &Facet, _: [Self; 3]) {}
 
     #[inline(always)]
-    fn run((): &(), _: u32, _: u32) {}
+    fn row((): &(), _: u32) {}
+
+    #[inline(always)]
+    fn below((): &(), (): &mut ()) {}
+
+    #[inline(always)]
+    fn run((): &(), (): &(), _: u32) {}
 
     #[inline(always)]
     fn value((): &()) {}
@@ -353,6 +516,7 @@ impl Varying for () {
 
 impl<V: Varying, const N: usize> Varying for [V; N] {
     type Slopes = [V::Slopes; N];
+    type Row = [V::Row; N];
     type Run = [V::Run; N];
 
     #[inline(always)]
@@ -365,8 +529,23 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
     }
 
     #[inline(always)]
-    fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run {
-        slopes.each_ref().map(|slopes| V::run(slopes, right, down))
+    fn row(slopes: &Self::Slopes, down: u32) -> Self::Row {
+        slopes.each_ref().map(|slopes| V::row(slopes, down))
+    }
+
+    #[inline(always)]
+    fn below(slopes: &Self::Slopes, row: &mut Self::Row) {
+        slopes.iter().zip(row).for_each(|(slopes, row)| V::below(slopes, row));
+    }
+
+    #[inline(always)]
+    fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run {
+        let mut rows = row.iter();
+        // There is one for each.
+        slopes.each_ref().map(|slopes| match rows.next() {
+            Some(row) => V::run(slopes, row, right),
+            None => V::run(slopes, &V::row(slopes, 0), right),
+        })
     }
 
     #[inline(always)]
@@ -391,6 +570,7 @@ macro_rules! tuple {
     ($($name:ident $place:tt),*) => {
         impl<$($name: Varying),*> Varying for ($($name,)*) {
             type Slopes = ($($name::Slopes,)*);
+            type Row = ($($name::Row,)*);
             type Run = ($($name::Run,)*);
 
             #[inline(always)]
@@ -399,8 +579,18 @@ macro_rules! tuple {
             }
 
             #[inline(always)]
-            fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run {
-                ($($name::run(&slopes.$place, right, down),)*)
+            fn row(slopes: &Self::Slopes, down: u32) -> Self::Row {
+                ($($name::row(&slopes.$place, down),)*)
+            }
+
+            #[inline(always)]
+            fn below(slopes: &Self::Slopes, row: &mut Self::Row) {
+                $($name::below(&slopes.$place, &mut row.$place);)*
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run {
+                ($($name::run(&slopes.$place, &row.$place, right),)*)
             }
 
             #[inline(always)]

@@ -88,6 +88,22 @@ impl Divisor {
             let (sum, carry) = low.overflowing_add(m);
             (high, low) = (high.wrapping_add(carry.into()), sum);
         }
+        self.cut(high, low, bits, n < 0)
+    }
+
+    /// [`ratio`](Self::ratio) for a number of 32 bits.
+    #[inline]
+    pub(crate) fn narrow_ratio(&self, n: i32, bits: u32) -> u64 {
+        let m = n.unsigned_abs();
+        let product = |word: u64, more: u32| u64::from(low_u32(word)).wrapping_mul(m.into()).wrapping_add(more.into());
+        let low = product(self.inverse, if n < 0 { 0 } else { m });
+        let high = product(self.inverse >> 32, low_u32(low >> 32));
+        self.cut(high >> 32, high << 32 | u64::from(low_u32(low)), bits, n < 0)
+    }
+
+    /// The product of a ratio, cut to so many bits of fraction.
+    #[inline(always)]
+    fn cut(&self, high: u64, low: u64, bits: u32, is_negative: bool) -> u64 {
         // 127 - s is 64 more than `down`: from 0 to 126.
         let shift = self.down.wrapping_add(64).wrapping_sub(bits);
         let cut = match shift {
@@ -95,10 +111,10 @@ impl Divisor {
             1..64 => high << (64 - shift) | low >> shift,
             _ => high >> (shift & 63),
         };
-        if n >= 0 {
-            cut.wrapping_add(1)
-        } else {
+        if is_negative {
             cut.wrapping_neg()
+        } else {
+            cut.wrapping_add(1)
         }
     }
 }
@@ -209,6 +225,9 @@ mod tests {
                     let excess = over * i128::from(d) - exact.rem_euclid(d.into());
                     let most = i128::from(d) + ((i128::from(n).abs() << bits) >> 63) + 1;
                     assert!((0..=most).contains(&excess), "2^{bits} {n} / {d}: {got}, {excess} / d too large");
+                    if let Ok(narrow) = i32::try_from(n) {
+                        assert_eq!(Divisor::new(d).narrow_ratio(narrow, bits), got, "2^{bits} {n} / {d}");
+                    }
                 }
             }
         }

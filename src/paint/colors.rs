@@ -26,6 +26,7 @@ macro_rules! by_levels {
     ($color:ty, $levels:ty, |$c:ident| $split:expr, |$l:pat_param| $join:expr) => {
         impl Varying for $color {
             type Slopes = <$levels as Varying>::Slopes;
+            type Row = <$levels as Varying>::Row;
             type Run = <$levels as Varying>::Run;
 
             #[inline(always)]
@@ -34,8 +35,18 @@ macro_rules! by_levels {
             }
 
             #[inline(always)]
-            fn run(slopes: &Self::Slopes, right: u32, down: u32) -> Self::Run {
-                <$levels>::run(slopes, right, down)
+            fn row(slopes: &Self::Slopes, down: u32) -> Self::Row {
+                <$levels>::row(slopes, down)
+            }
+
+            #[inline(always)]
+            fn below(slopes: &Self::Slopes, row: &mut Self::Row) {
+                <$levels>::below(slopes, row);
+            }
+
+            #[inline(always)]
+            fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run {
+                <$levels>::run(slopes, row, right)
             }
 
             #[inline(always)]
@@ -66,6 +77,13 @@ pub enum LevelSlopes {
     /// In a large one, and for how many pixels a run is right.
     #[doc(hidden)]
     Apart([ByteSlopes; 3], u32),
+}
+
+/// Three levels in the first column of a row: packed, or as the number of the row.
+#[derive(Copy, Clone, Debug)]
+pub struct LevelRow {
+    at: u128,
+    down: u32,
 }
 
 /// Three levels at one pixel.
@@ -106,6 +124,7 @@ fn times(n: u128, factor: u32) -> u128 {
 
 impl Varying for Levels {
     type Slopes = LevelSlopes;
+    type Row = LevelRow;
     type Run = LevelRun;
 
     #[inline(always)]
@@ -122,12 +141,27 @@ impl Varying for Levels {
     }
 
     #[inline(always)]
-    fn run(slopes: &LevelSlopes, right: u32, down: u32) -> LevelRun {
+    fn row(slopes: &LevelSlopes, down: u32) -> LevelRow {
+        let at = match *slopes {
+            LevelSlopes::Packed([start, _, below]) => start.wrapping_add(times(below, down)),
+            LevelSlopes::Apart(..) => 0,
+        };
+        LevelRow { at, down }
+    }
+
+    #[inline(always)]
+    fn below(slopes: &LevelSlopes, row: &mut LevelRow) {
         match *slopes {
-            LevelSlopes::Packed([start, by, below]) => {
-                LevelRun { at: start.wrapping_add(times(by, right)).wrapping_add(times(below, down)), by }
-            }
-            LevelSlopes::Apart(ref levels, reach) => run_apart(levels, reach, right, down),
+            LevelSlopes::Packed([.., below]) => row.at = row.at.wrapping_add(below),
+            LevelSlopes::Apart(..) => row.down = row.down.wrapping_add(1),
+        }
+    }
+
+    #[inline(always)]
+    fn run(slopes: &LevelSlopes, row: &LevelRow, right: u32) -> LevelRun {
+        match *slopes {
+            LevelSlopes::Packed([_, by, _]) => LevelRun { at: row.at.wrapping_add(times(by, right)), by },
+            LevelSlopes::Apart(ref levels, reach) => run_apart(levels, reach, right, row.down),
         }
     }
 
@@ -160,10 +194,9 @@ impl Varying for Levels {
 fn run_apart(levels: &[ByteSlopes; 3], reach: u32, right: u32, down: u32) -> LevelRun {
     // Alone, a pixel has to be right without a unit more: its unit may be larger than 1 / D.
     let more = u64::from(reach > 1);
-    let cut = |n: u64, more: u64| {
-        (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more)
-    };
-    let runs = levels.each_ref().map(|slopes| slopes.run(right, down));
+    let cut =
+        |n: u64, more: u64| (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more);
+    let runs = levels.each_ref().map(|slopes| slopes.run(slopes.row(down), right));
     let at = Levels::packed(runs.map(|run| cut(run.at, more)));
     LevelRun { at, by: Levels::packed(runs.map(|run| cut(run.by, 1))) }
 }

@@ -26,8 +26,9 @@
 
 mod brush;
 pub mod colors;
+pub mod depth;
 mod shade;
 mod solid;
 mod traits;
 
-pub use self::{brush::Brush, shade::Shade, solid::Solid, traits::Paint};
+pub use self::{brush::Brush, depth::DepthShade, shade::Shade, solid::Solid, traits::Paint};

@@ -2,7 +2,7 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{Plane, Varying},
+    geom::{varying::Rows, Plane, Varying},
     span::ClippedSpan,
     surface::Surface,
 };
@@ -13,38 +13,31 @@ use crate::{
 /// to draw through a `Shade` is for those who fill a part of it, such as a polygon that lies in one plane.
 #[derive(Copy, Clone, Debug)]
 pub struct Shade<V: Varying, F> {
-    plane: Plane<V>,
+    rows: Rows<V>,
     color: F,
 }
 
 impl<V: Varying, F> Shade<V, F> {
     /// `color` makes a colour of each value.
     #[inline(always)]
-    pub const fn new(plane: Plane<V>, color: F) -> Self {
-        Self { plane, color }
+    pub fn new(plane: Plane<V>, color: F) -> Self {
+        Self { rows: Rows::new(plane, plane.top()), color }
     }
 }
 
 impl<S: Surface, V: Varying, F: FnMut(V) -> S::Color> Paint<S> for Shade<V, F> {
-    #[inline(always)]
+    // Not inlined: the state of the loop along the row has the registers to itself.
+    #[inline(never)]
     fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        span.parts(self.plane.reach(), |part| {
-            write_run(on, part, self.plane.run(part.x0(), part.y()), &mut self.color);
+        let Self { rows, color } = self;
+        rows.go_to(span.y());
+        span.parts(rows.reach(), |part| {
+            let mut run = rows.run(part.x0());
+            on.write_span(part, |_| {
+                let value = V::value(&run);
+                V::step(&mut run);
+                color(value)
+            });
         });
     }
-}
-
-/// The loop along a row: a function of its own, so that the state of the row has the registers to itself.
-#[inline(never)]
-fn write_run<S: Surface, V: Varying>(
-    on: &mut S,
-    span: ClippedSpan,
-    mut run: V::Run,
-    color: &mut impl FnMut(V) -> S::Color,
-) {
-    on.write_span(span, move |_| {
-        let value = V::value(&run);
-        V::step(&mut run);
-        color(value)
-    });
 }

@@ -1,4 +1,5 @@
-//! Colour types that embedded-graphics does not have: indices into a colour table, RGB332, RGB444 and XRGB8888.
+//! Colour types that embedded-graphics does not have: indices into a colour table, RGB332, RGB444 and XRGB8888. And what else a pixel
+//! may hold: a depth, or the number of a triangle.
 
 use embedded_graphics_core::pixelcolor::{
     raw::{RawData, RawU1, RawU16, RawU2, RawU32, RawU4, RawU8},
@@ -74,6 +75,52 @@ index!(Index1, RawU1, "1", "2", "black, white");
 index!(Index2, RawU2, "2", "4", "of four greys");
 index!(Index4, RawU4, "4", "16", "[`EGA`](crate::pixel::EGA)");
 index!(Index8, RawU8, "8", "256", "[`Palette::rgb332`](crate::Palette::rgb332)");
+
+macro_rules! number {
+    ($name:ident, $raw:ident, $number:ty, $doc:literal) => {
+        #[doc = $doc]
+        #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub struct $name(pub $number);
+
+        impl $name {
+            /// The largest one.
+            pub const MAX: Self = Self(<$number>::MAX);
+        }
+
+        impl PixelColor for $name {
+            type Raw = $raw;
+        }
+
+        impl From<$raw> for $name {
+            #[inline(always)]
+            fn from(raw: $raw) -> Self {
+                Self(raw.into_inner())
+            }
+        }
+
+        impl From<$name> for $raw {
+            #[inline(always)]
+            fn from(number: $name) -> Self {
+                Self::new(number.0)
+            }
+        }
+    };
+}
+
+number!(
+    Depth16,
+    RawU16,
+    u16,
+    "A depth of 16 bits. A frame of depths is a depth buffer: see [`paint::depth`](crate::paint::depth)."
+);
+number!(Depth32, RawU32, u32, "A depth of 32 bits.");
+number!(
+    Id16,
+    RawU16,
+    u16,
+    "The number of a triangle, from 1 on; 0 is the background. A frame of them tells what is seen where."
+);
+number!(Id32, RawU32, u32, "The number of a triangle, from 1 on, if there are more than 65,535.");
 
 /// An 8-bit colour: three bits of red, three of green, two of blue.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]

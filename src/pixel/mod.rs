@@ -11,6 +11,7 @@
 //! | 8 | [`Index8`], `Gray8`, [`Rgb332`] | a byte |
 //! | 16 | [`Rgb444`], `Rgb555`, `Bgr555`, `Rgb565`, `Bgr565` | little-endian; [`Be<C>`](Be) big-endian |
 //! | 24 | `Rgb666`, `Bgr666`, `Rgb888`, `Bgr888` | little-endian: of `Rgb888` blue comes first; [`Be<C>`](Be) big-endian |
+//! | 16, 32 | [`Depth16`], [`Depth32`], [`Id16`], [`Id32`] | no colours: depths, and numbers of triangles |
 //! | 32 | [`Xrgb8888`] | little-endian: blue, green, red, unused; [`Be<C>`](Be) big-endian |
 //!
 //! This is the order of pixels within a row. Where rows lie is the business of a [`Layout`](crate::Layout): in vertical pages,
@@ -25,7 +26,7 @@ mod palette;
 pub(crate) mod rows;
 
 pub use self::{
-    color::{Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888},
+    color::{Depth16, Depth32, Id16, Id32, Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888},
     format::{buffer_bytes, row_bytes, Be, Lsb0, PixelFormat},
     palette::{Palette, EGA},
 };

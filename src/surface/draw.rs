@@ -147,7 +147,7 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
 impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
     /// The part of a span in this window: whoever calls may have clipped it against another one.
     #[inline(always)]
-    fn again(&self, span: ClippedSpan) -> Option<ClippedSpan> {
+    pub(super) fn again(&self, span: ClippedSpan) -> Option<ClippedSpan> {
         Span { y: span.y(), x0: span.x0(), x1: span.x1() }.clip(self.window())
     }
 

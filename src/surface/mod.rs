@@ -8,6 +8,7 @@
 
 mod blit;
 mod counter;
+mod depth;
 mod draw;
 mod frame;
 mod layout;
@@ -20,6 +21,7 @@ mod traits;
 pub(crate) use self::traits::{Inside, Said};
 pub use self::{
     counter::Counter,
+    depth::{Depth, DepthBuffer},
     frame::Frame,
     layout::{Grid, Layout, Place},
     packed12::Packed12,

@@ -2,8 +2,8 @@
 
 use embedded_graphics_core::pixelcolor::{Bgr555, Rgb565, Rgb888, RgbColor};
 use embedded_raster::{
-    pixel::Rgb332,
     geom::{Barycentric, Facet, Fast, Plane, Varying},
+    pixel::Rgb332,
     raster::triangle,
     ClippedSpan, PointFx, Rect, TriangleTooLarge,
 };
@@ -38,7 +38,11 @@ fn triangle(rng: &mut Rng, kind: usize) -> ([Units; 3], Rect) {
         }
     };
     let pick = kind / 6 % 8;
-    let units = [corner([5, 1, 3, 4, 5, 0, 5, 1][pick]), corner([5, 2, 3, 4, 3, 1, 5, 2][pick]), corner([5, 5, 3, 4, 3, 2, 5, 0][pick])];
+    let units = [
+        corner([5, 1, 3, 4, 5, 0, 5, 1][pick]),
+        corner([5, 2, 3, 4, 3, 1, 5, 2][pick]),
+        corner([5, 5, 3, 4, 3, 2, 5, 0][pick]),
+    ];
     // Windows around a place of the triangle, and sometimes rows as a whole.
     let [a, b, c] = units;
     let (u, v) = (rng.int(0, 100), rng.int(0, 100));
@@ -47,11 +51,8 @@ fn triangle(rng: &mut Rng, kind: usize) -> ([Units; 3], Rect) {
         ((i64::from(a) + b + c) >> 8) as i32
     };
     let (x, y) = (at(a.0, b.0, c.0), at(a.1, b.1, c.1));
-    let window = if rng.one_in(8) {
-        Rect::new(-20_000, y, 20_000, y + 1)
-    } else {
-        Rect::new(x - 20, y - 3, x + 20, y + 3)
-    };
+    let window =
+        if rng.one_in(8) { Rect::new(-20_000, y, 20_000, y + 1) } else { Rect::new(x - 20, y - 3, x + 20, y + 3) };
     (units, window)
 }
 
@@ -156,10 +157,16 @@ fn fast_values_stay_in_their_bound_and_in_range() {
     let byte = |rng: &mut Rng| rng.range(0, 255);
     for (seed, kinds) in [(7, 6), (8, 4)] {
         let (mut wrong, kind) = (0, |i| i % kinds + i / kinds % 8 * 6);
-        let seen = compare(kind, seed, byte, |n| Fast(n as u8), |Fast(got), ratio, wanted, steps| {
-            wrong += u64::from(i128::from(got) != wanted);
-            bound(got.into(), ratio, steps)
-        });
+        let seen = compare(
+            kind,
+            seed,
+            byte,
+            |n| Fast(n as u8),
+            |Fast(got), ratio, wanted, steps| {
+                wrong += u64::from(i128::from(got) != wanted);
+                bound(got.into(), ratio, steps)
+            },
+        );
         println!("{wrong} of {seen} fast values are not the nearest ones");
         // On a screen of 300 x 300 pixels; one in a hundred in rows of up to 12,288.
         let most = if kinds == 4 { 3 } else { 10 };
@@ -172,7 +179,8 @@ fn fast_values_stay_in_their_bound_and_in_range() {
 #[test]
 fn arrays_and_tuples_are_their_parts() {
     let facet = Facet::new([PointFx::px(3, 2), PointFx::px(90, 31), PointFx::px(40, 77)]).unwrap();
-    let plane = Plane::new(&facet, [(1_u8, [5_u16, 6, 7], -4_i32), (200, [1000, 0, 7], 9), (60, [60_000, 8, 7], 1 << 30)]);
+    let plane =
+        Plane::new(&facet, [(1_u8, [5_u16, 6, 7], -4_i32), (200, [1000, 0, 7], 9), (60, [60_000, 8, 7], 1 << 30)]);
     let byte = Plane::new(&facet, [1_u8, 200, 60]);
     let words = [[5_u16, 1000, 60_000], [6, 0, 8], [7, 7, 7]].map(|values| Plane::new(&facet, values));
     let number = Plane::new(&facet, [-4_i32, 9, 1 << 30]);
@@ -193,10 +201,7 @@ fn a_split_triangle_shows_the_whole() {
         let [a, b, c] = [corner(), corner(), corner()];
         let part = i32::from(rng.int(1, 7) as i16);
         let on = |a: i32, b: i32| a + (b - a) * part / 8;
-        let cut = (
-            (on(b.0 .0, c.0 .0), on(b.0 .1, c.0 .1)),
-            b.1 + (c.1 - b.1) * i64::from(part) / 8,
-        );
+        let cut = ((on(b.0 .0, c.0 .0), on(b.0 .1, c.0 .1)), b.1 + (c.1 - b.1) * i64::from(part) / 8);
         let draw = |parts: &[[(Units, i64); 3]]| {
             let mut pixels = vec![];
             for part in parts {
@@ -265,7 +270,11 @@ fn weights_are_exact_anywhere_and_parts_sum_to_one() {
     let mut rng = Rng::new(10);
     for i in 0..cases(100_000) {
         let (units, window) = triangle(&mut rng, i % 48);
-        let at = if rng.one_in(9) { (i32::MIN, i32::MAX) } else { (window.x0 * 256 + rng.int(0, 5000), window.y0 * 256 + rng.int(0, 700)) };
+        let at = if rng.one_in(9) {
+            (i32::MIN, i32::MAX)
+        } else {
+            (window.x0 * 256 + rng.int(0, 5000), window.y0 * 256 + rng.int(0, 700))
+        };
         let got = Facet::new(corners(units)).unwrap().weights(PointFx::from_bits(at.0, at.1));
         let twice = |a, b, c| twins::twice_area(a, b, c);
         let [a, b, c] = units;

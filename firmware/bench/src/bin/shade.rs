@@ -22,6 +22,12 @@ type Memory = [u8; WIDTH * HEIGHT * 3];
 /// About 20,000 pixels.
 const LARGE: [Corners; 1] = [[(30 * 256, 20 * 256, 250), (290 * 256, 70 * 256, 3), (114 * 256, 190 * 256, 120)]];
 
+/// Rows of two pixels: what a row costs.
+const TALL: [Corners; 1] = [[(30 * 256, 20 * 256, 250), (32 * 256, 20 * 256, 3), (34 * 256, 220 * 256, 120)]];
+
+/// One pixel: what a triangle costs.
+const TINY: [Corners; 1] = [[(30 * 256, 20 * 256, 250), (32 * 256, 20 * 256, 3), (30 * 256, 22 * 256, 120)]];
+
 /// Triangles of about 100 pixels, of several shapes and both windings, in a grid of cells 20 pixels wide.
 fn small() -> [Corners; 120] {
     core::array::from_fn(|i| {
@@ -38,7 +44,9 @@ fn main() {
     println!("# workload;format;mode;cycles;instructions;calls;pixels;stack;crc32");
     let mut memory: Memory = [0; WIDTH * HEIGHT * 3];
     let small = small();
-    for (name, triangles) in [("gouraud-20000", &LARGE[..]), ("gouraud-100", &small[..])] {
+    for (name, triangles) in
+        [("gouraud-20000", &LARGE[..]), ("gouraud-100", &small[..]), ("gouraud-rows", &TALL[..]), ("gouraud-tiny", &TINY[..])]
+    {
         let rgb565 = |n: u8| Rgb565::new(n >> 3, 63 - (n >> 2), 31 - (n >> 4));
         measure::<Rgb565, _>(name, "rgb565", "exact", triangles, &mut memory, rgb565, |c| c);
         measure::<Rgb565, _>(name, "rgb565", "fast", triangles, &mut memory, |n| Fast(rgb565(n)), |c| c.0);

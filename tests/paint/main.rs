@@ -1,0 +1,5 @@
+//! Paints that change from pixel to pixel, against plain loops over all pixels.
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "random numbers, cut on purpose")]
+
+mod depth;
+mod shade;
