@@ -21,7 +21,11 @@ pub use canvas::Canvas;
 pub use error::{
     BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangleTooLarge, TriangulateError,
 };
-pub use geom::{fill_rule::FillRule, px, Angle, Path, PathSegment, PointFx, Viewport};
+pub use geom::{
+    fill_rule::FillRule, px,
+    space::{Vec3, Vec4},
+    Angle, Path, PathSegment, PointFx, Viewport,
+};
 pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
 pub use raster::{

@@ -107,7 +107,7 @@ impl Angle {
     /// No direction turns back: of two angles, the later one is clockwise from the earlier one, be it by one unit only. Quarters of
     /// a turn are exact, and eighths have equal coordinates. Directions that are mirror images of each other, at an axis or at a diagonal, have
     /// exactly mirrored results.
-    pub fn cos_sin(self) -> (i32, i32) {
+    pub const fn cos_sin(self) -> (i32, i32) {
         cos_sin(self.0)
     }
 

@@ -18,6 +18,7 @@ pub mod exact;
 pub mod facet;
 pub mod flatten;
 pub mod polygon;
+pub mod space;
 pub mod triangulate;
 pub mod varying;
 

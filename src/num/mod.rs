@@ -13,6 +13,7 @@ pub(crate) mod cast;
 pub(crate) mod decimal;
 pub(crate) mod divisor;
 pub(crate) mod mixed;
+pub(crate) mod recip;
 pub(crate) mod root;
 pub(crate) mod round;
 pub(crate) mod stepper;

@@ -68,8 +68,8 @@ pub(crate) fn first_centre_from(n: i32) -> i32 {
 
 /// `a - b` for any two numbers.
 #[inline(always)]
-pub(crate) fn difference(a: i32, b: i32) -> i64 {
-    i64::from(a) - i64::from(b)
+pub(crate) const fn difference(a: i32, b: i32) -> i64 {
+    a as i64 - b as i64
 }
 
 /// Compares `a * b` with `c * d`, exactly, for factors of up to 32 bits and a sign.

@@ -39,7 +39,7 @@ const COSINE_FIRST: [u32; 2] = [0x4ef4_f326, 0xf8d8_c78c];
 const COSINE: [u32; 4] = [2_179_004_479, 44_803_972, 493_490, 3_343];
 
 /// Cosine and sine in 2.30 of `turn / 2^32` turns.
-pub(crate) fn cos_sin(turn: u32) -> (i32, i32) {
+pub(crate) const fn cos_sin(turn: u32) -> (i32, i32) {
     let (quarter, rest) = (turn >> 30, turn & ((1 << 30) - 1));
     let (x, y) = match rest {
         0 => (ONE, 0),
@@ -59,7 +59,7 @@ pub(crate) fn cos_sin(turn: u32) -> (i32, i32) {
 }
 
 /// Cosine and sine of an angle below an eighth of a turn.
-fn in_eighth(turn: u32) -> (i32, i32) {
+const fn in_eighth(turn: u32) -> (i32, i32) {
     // w and y times 2^32; y rounded, for terms that are small, and y^2's two words, for the first one.
     let w = turn << 3;
     let square = product(w, w);
@@ -79,22 +79,22 @@ fn in_eighth(turn: u32) -> (i32, i32) {
 }
 
 /// `a - y (b - y (c - y d))`, y times 2^32.
-fn polynomial(y: u32, [a, b, c, d]: [u32; 4]) -> u32 {
+const fn polynomial(y: u32, [a, b, c, d]: [u32; 4]) -> u32 {
     let inner = c.wrapping_sub(high(product(y, d)));
     a.wrapping_sub(high(product(y, b.wrapping_sub(high(product(y, inner))))))
 }
 
-fn product(a: u32, b: u32) -> u64 {
-    u64::from(a).wrapping_mul(u64::from(b))
+const fn product(a: u32, b: u32) -> u64 {
+    (a as u64).wrapping_mul(b as u64)
 }
 
 /// The high word, rounded to nearest. What is rounded here is below `2^64 - 2^31`.
-fn high(n: u64) -> u32 {
+const fn high(n: u64) -> u32 {
     low_u32(n.wrapping_add(1 << 31) >> 32)
 }
 
 /// 2.30 of a number below 0.8 that is given times 2^64.
-fn rounded(n: u64) -> i32 {
+const fn rounded(n: u64) -> i32 {
     signed(low_u32(n.wrapping_add(1 << 33) >> 34))
 }
 
