@@ -1,5 +1,6 @@
 //! Shapes as numbers, against their rules in wide integers.
 
+mod matrix;
 mod space;
 mod tools;
 mod triangulate;
