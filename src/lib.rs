@@ -23,7 +23,7 @@ pub use error::{
 };
 pub use geom::{
     fill_rule::FillRule, px,
-    space::{Mat4, Vec3, Vec4},
+    space::{Mat4, Patch, Vec3, Vec4},
     Angle, Path, PathSegment, PointFx, Viewport,
 };
 pub use paint::{Paint, Solid};

@@ -19,7 +19,7 @@
 
 use core::num::NonZeroU32;
 
-use super::cast::{low_u32, narrow, saturate, signed, signed_wide, unsigned};
+use super::cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide, unsigned};
 
 /// A number to divide many others by.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -56,6 +56,16 @@ impl Divisor {
             rest = rest.wrapping_sub(self.normal);
         }
         (quotient, rest >> self.shift)
+    }
+
+    /// `n / d` rounded down, and the remainder. The caller knows that the quotient fits.
+    #[inline]
+    pub(crate) const fn floor(self, n: i64) -> (i32, u32) {
+        // Of a negative n its complement -1 - n is divided: floor(n / d) = -1 - floor((-1 - n) / d).
+        let sign = n >> 63;
+        let (quotient, rest) = self.div_rem(magnitude(n ^ sign));
+        let last = (self.normal >> self.shift).wrapping_sub(1);
+        (signed(quotient) ^ narrow(sign), if sign < 0 { last.wrapping_sub(rest) } else { rest })
     }
 
     /// `n / d`, rounded to the nearest number, halves upwards. Stops at the ends of the range.
@@ -246,7 +256,16 @@ mod tests {
             let divisor = Divisor::new(NonZeroU32::new(d).unwrap());
             for q in ENDS.into_iter().chain([0]) {
                 for r in [0, 1, d / 2, d - 1].into_iter().filter(|&r| r < d) {
-                    assert_eq!(divisor.div_rem(product(q, d) + u64::from(r)), (q, r), "divisor {d}");
+                    let n = product(q, d) + u64::from(r);
+                    assert_eq!(divisor.div_rem(n), (q, r), "divisor {d}");
+                    let n = signed_wide(n >> 1);
+                    if q < 1 << 31 && n < i64::from(d) << 30 {
+                        for n in [n, -n, -n - 1] {
+                            let (q, r) = divisor.floor(n);
+                            let d = i64::from(d);
+                            assert_eq!((q.into(), r.into()), (n.div_euclid(d), n.rem_euclid(d)), "{n} / {d}");
+                        }
+                    }
                 }
             }
         }

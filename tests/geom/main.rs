@@ -1,6 +1,7 @@
 //! Shapes as numbers, against their rules in wide integers.
 
 mod matrix;
+mod patch;
 mod space;
 mod tools;
 mod triangulate;

@@ -18,12 +18,15 @@
 //! | directions of length 1 | [`Vec3::normalize`] | 0.501 ulp |
 //! | motions | [`Mat4::translate`], [`Mat4::scale`], [`Mat4::rotate`] | exact, exact, 0.501 ulp |
 //! | cameras | [`Mat4::look_at`], [`Mat4::perspective`], [`Mat4::frustum`], [`Mat4::orthographic`] | half an ulp and a little more |
+//! | surfaces | [`patch`] | 0.5 ulp, at every level |
 //! | a place in clip coordinates | [`Mat4::transform_point`] | 0.5 ulp |
 
 pub mod number;
+pub mod patch;
 
 mod matrix;
 mod vector;
 
 pub use matrix::Mat4;
+pub use patch::Patch;
 pub use vector::{Vec3, Vec4};

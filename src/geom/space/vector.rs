@@ -117,8 +117,7 @@ impl Vec3 {
     #[must_use]
     pub const fn normalize(self) -> Self {
         let [x, y, z] = self.to_bits();
-        let [x, y, z] = unit([x as i64, y as i64, z as i64]);
-        Self { x: from_2_30(x), y: from_2_30(y), z: from_2_30(z) }
+        normalized([x as i64, y as i64, z as i64])
     }
 }
 
@@ -127,6 +126,12 @@ impl Vec3 {
 pub(crate) const fn cross([a, b, c]: [i32; 3], [d, e, f]: [i32; 3]) -> [Sum; 3] {
     let one = Sum::ZERO;
     [one.plus(b, f).minus(c, e), one.plus(c, d).minus(a, f), one.plus(a, e).minus(b, d)]
+}
+
+/// The direction of a vector of any length, with length 1. Zero stays zero.
+pub(crate) const fn normalized(v: [i64; 3]) -> Vec3 {
+    let [x, y, z] = unit(v);
+    Vec3 { x: from_2_30(x), y: from_2_30(y), z: from_2_30(z) }
 }
 
 /// A power of two that numbers are multiplied by, so that the largest has as many bits as wanted.
