@@ -316,3 +316,38 @@ fn the_list_is_complete() {
     assert_eq!(wanted.difference(&listed).collect::<Vec<_>>(), Vec::<&String>::new(), "calls that the list lacks");
     assert_eq!(listed.difference(&wanted).collect::<Vec<_>>(), Vec::<&String>::new(), "calls that do not exist");
 }
+
+/// The names of all public functions of a file: methods with their type.
+fn methods(file: &str) -> BTreeSet<String> {
+    let path = File::new(env!("CARGO_MANIFEST_DIR")).join("src").join(file);
+    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let (mut names, mut of) = (BTreeSet::new(), String::new());
+    for line in text.lines() {
+        if let Some(rest) = line.strip_prefix("impl").filter(|rest| !rest.contains(" for ")) {
+            // `impl<'a> Type<'a> {`
+            let rest = if rest.starts_with('<') { rest.split_once("> ").map_or(rest, |(_, rest)| rest) } else { rest };
+            of = format!("{}::", rest.trim().split(['<', ' ']).next().expect("a type"));
+        } else if line.starts_with('}') {
+            of.clear();
+        }
+        let function = ["pub fn ", "pub const fn "].iter().find_map(|start| line.trim_start().strip_prefix(start));
+        if let Some(rest) = function {
+            names.insert(format!("{of}{}", rest.split(['(', '<']).next().expect("a name")));
+        }
+    }
+    names
+}
+
+#[test]
+fn the_list_of_what_computes_in_space_is_complete() {
+    let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("src/geom/space");
+    let mut wanted = BTreeSet::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let name = entry.expect("a file").file_name();
+        wanted.append(&mut methods(&format!("geom/space/{}", name.to_string_lossy())));
+    }
+    let listed: BTreeSet<String> = calls::space::NAMES.iter().map(|&name| name.to_owned()).collect();
+    assert_eq!(listed.len(), calls::space::NAMES.len(), "each once");
+    assert_eq!(wanted.difference(&listed).collect::<Vec<_>>(), Vec::<&String>::new(), "calls that the list lacks");
+    assert_eq!(listed.difference(&wanted).collect::<Vec<_>>(), Vec::<&String>::new(), "calls that do not exist");
+}

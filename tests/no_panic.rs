@@ -37,7 +37,8 @@ use embedded_raster::{
     },
     surface::{paged_bytes, Counter, Paged},
     Angle, Bitmap, Canvas, Cap, ClippedSpan, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
-    Join, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke, Surface,
+    Join, Mat4, Palette, Patch, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke,
+    Surface, Vec4,
 };
 use fixed::types::{I16F16, I24F8};
 use twins::{memory::color, rng::Rng};
@@ -616,5 +617,30 @@ fn palettes_and_colours() {
         palette.map(Gray2::from).expand::<Index8, Gray2>(&indices, &mut out);
         palette.map(Gray2::from).expand::<Index2, Lsb0<Gray2>>(&indices, &mut out);
         palette.map(Xrgb8888::from).expand::<Index4, Xrgb8888>(&indices, &mut out);
+    }
+}
+
+#[test]
+fn what_computes_in_space() {
+    let mut rng = Rng::new(890);
+    for _ in 0..twins::rng::cases(3_000) {
+        let mut number = || I16F16::from_bits(wild(&mut rng));
+        let mut place = || Vec4::new(number(), number(), number(), number());
+        let arguments = calls::space::Arguments {
+            numbers: [(); 6].map(|()| place().x),
+            vectors: [(); 3].map(|()| place().xyz()),
+            places: [(); 2].map(|()| place()),
+            matrices: [(); 2].map(|()| Mat4 { rows: [(); 4].map(|()| place()) }),
+            angle: Angle::from_bits(number().to_bits() as u32),
+            patch: Patch {
+                points: [(); 4].map(|()| [(); 4].map(|()| Vec4::new(number(), number(), number(), number()).xyz())),
+            },
+            levels: [(); 4].map(|()| if rng.one_in(400) { 255 } else { rng.below(9) as u8 }),
+            parts: [(); 2].map(|()| [rng.below(70) as u8, rng.bits() as u8]),
+            index: rng.bits() as u16,
+        };
+        for k in 0..=calls::space::NAMES.len() {
+            black_box(calls::space::call(&arguments, k));
+        }
     }
 }

@@ -3,7 +3,11 @@
 //! Whoever has to call all of it takes it from here: the proofs that no call can panic, on computers and on chips, the tests with
 //! wild arguments, and the fuzz target that compares sequences of calls. A test in `tests/calls.rs` reads the sources of the crate,
 //! and fails when a method of `Canvas`, `Surface` or `Readable`, or a function of `raster` or `eg`, is missing here.
+//!
+//! What computes in space has a list of its own, [`space`].
 #![no_std]
+
+pub mod space;
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,

@@ -1,5 +1,6 @@
 //! Shapes as numbers, against their rules in wide integers.
 
+mod light;
 mod matrix;
 mod patch;
 mod space;

@@ -241,3 +241,8 @@ pub extern "C" fn viewport(low: [i32; 2], high: [i32; 2], area: [i32; 4], at: [i
     let [x, y] = view.to_plane_bits(vertex(at));
     x ^ y
 }
+
+#[no_mangle]
+pub extern "C" fn space(a: &calls::space::Arguments, number: usize) -> u32 {
+    calls::space::call(a, number)
+}

@@ -19,8 +19,10 @@
 //! | motions | [`Mat4::translate`], [`Mat4::scale`], [`Mat4::rotate`] | exact, exact, 0.501 ulp |
 //! | cameras | [`Mat4::look_at`], [`Mat4::perspective`], [`Mat4::frustum`], [`Mat4::orthographic`] | half an ulp and a little more |
 //! | surfaces | [`patch`] | 0.5 ulp, at every level |
+//! | brightness | [`light`] | 0.5 ulp; powers 0.002 |
 //! | a place in clip coordinates | [`Mat4::transform_point`] | 0.5 ulp |
 
+pub mod light;
 pub mod number;
 pub mod patch;
 
