@@ -288,7 +288,7 @@ pub trait Canvas: Surface {
         Self: Sized,
     {
         let plane = Plane::new(&Facet::new(corners)?, values);
-        let shade = DepthShade::new(depth, plane, passes, |values| Some(color(values)));
+        let shade = DepthShade::new(depth, plane, passes, |values, _| Some(color(values)));
         self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
         Ok(())
     }

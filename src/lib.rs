@@ -11,6 +11,7 @@ mod error;
 pub mod geom;
 mod num;
 pub mod paint;
+pub mod pipeline;
 pub mod pixel;
 pub mod raster;
 mod span;

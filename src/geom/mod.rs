@@ -24,6 +24,7 @@ pub mod varying;
 
 mod angle;
 pub(crate) mod fill_rule;
+mod mix;
 mod outlines;
 mod path;
 mod point;
@@ -33,6 +34,7 @@ mod viewport;
 pub use angle::Angle;
 pub use facet::{Barycentric, Facet};
 pub use flatten::Contours;
+pub use mix::{At, Mix};
 pub use outlines::Outlines;
 pub use path::{Path, PathSegment};
 pub(crate) use point::bits;

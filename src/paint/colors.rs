@@ -16,7 +16,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use crate::{
-    geom::{varying::ByteSlopes, Facet, Fast, Varying},
+    geom::{varying::ByteSlopes, Barycentric, Facet, Fast, Mix, Varying},
     num::cast::{low_u32, low_u64, low_u8, signed_wide},
     pixel::{Rgb332, Rgb444, Xrgb8888},
 };
@@ -215,6 +215,19 @@ macro_rules! rgb {
     };
 }
 
+/// A mean of colours is that of their levels.
+macro_rules! mix {
+    ($($color:ty, |$c:ident| $split:expr, |$l:pat_param| $join:expr;)*) => {
+        $(impl Mix for $color {
+            #[inline]
+            fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
+                let $l = Mix::mix(place, corners.map(|$c| $split));
+                $join
+            }
+        })*
+    };
+}
+
 macro_rules! gray {
     ($($color:ty),*) => {
         $(
@@ -227,3 +240,12 @@ macro_rules! gray {
 rgb!(Levels, |Levels(l)| l, |p| Levels(p); Rgb332, Rgb444, Rgb555, Rgb565, Bgr555, Bgr565);
 rgb!([u8; 3], |l| l, |p| p; Rgb666, Rgb888, Xrgb8888, Bgr666, Bgr888);
 gray!(Gray2, Gray4, Gray8);
+
+macro_rules! mixes {
+    ($($rgb:ty),*; $($gray:ty),*) => {
+        $(mix! { $rgb, |c| [c.r(), c.g(), c.b()], |[r, g, b]| Self::new(r, g, b); })*
+        $(mix! { $gray, |c| c.luma(), |luma| Self::new(luma); })*
+    };
+}
+
+mixes!(Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Xrgb8888, Bgr555, Bgr565, Bgr666, Bgr888; Gray2, Gray4, Gray8);

@@ -70,7 +70,8 @@ pub struct DepthShade<'a, M, Z: Depth, V: Varying, T, F> {
 }
 
 impl<'a, M: AsMut<[u8]>, Z: Depth, V: Varying, T, F> DepthShade<'a, M, Z, V, T, F> {
-    /// `passes` compares the depth of a pixel with the one in the buffer, as [`less`] does. `color` makes a colour of the values.
+    /// `passes` compares the depth of a pixel with the one in the buffer, as [`less`] does. `color` makes a colour of the values
+    /// and the depth.
     #[inline(always)]
     pub fn new(depth: &'a mut Frame<M, surface::Rows<Z>>, plane: Plane<(Z::Number, V)>, passes: T, color: F) -> Self {
         Self { depth, rows: Rows::new(plane, plane.top()), passes, writes: true, color }
@@ -91,7 +92,7 @@ where
     Z: Depth,
     V: Varying,
     T: Fn(&Z::Number, &Z::Number) -> bool,
-    F: FnMut(V) -> Option<S::Color>,
+    F: FnMut(V, Z::Number) -> Option<S::Color>,
 {
     #[inline(never)]
     fn span(&mut self, on: &mut S, span: ClippedSpan) {
@@ -111,7 +112,7 @@ where
                 if !passes(&z, &Z::load(*cell)) {
                     return None;
                 }
-                let color = color(V::value(&values))?;
+                let color = color(V::value(&values), z)?;
                 if writes {
                     *cell = Z::store(z);
                 }

@@ -31,4 +31,10 @@ mod shade;
 mod solid;
 mod traits;
 
-pub use self::{brush::Brush, depth::DepthShade, shade::Shade, solid::Solid, traits::Paint};
+pub use self::{
+    brush::Brush,
+    depth::DepthShade,
+    shade::{Shade, ShadeSome},
+    solid::Solid,
+    traits::Paint,
+};

@@ -41,3 +41,34 @@ impl<S: Surface, V: Varying, F: FnMut(V) -> S::Color> Paint<S> for Shade<V, F> {
         });
     }
 }
+
+/// A [`Shade`] whose function may answer `None`: then the pixel stays as it is.
+#[derive(Copy, Clone, Debug)]
+pub struct ShadeSome<V: Varying, F> {
+    rows: Rows<V>,
+    color: F,
+}
+
+impl<V: Varying, F> ShadeSome<V, F> {
+    /// `color` makes a colour of each value, or none.
+    #[inline(always)]
+    pub fn new(plane: Plane<V>, color: F) -> Self {
+        Self { rows: Rows::new(plane, plane.top()), color }
+    }
+}
+
+impl<S: Surface, V: Varying, F: FnMut(V) -> Option<S::Color>> Paint<S> for ShadeSome<V, F> {
+    #[inline(never)]
+    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+        let Self { rows, color } = self;
+        rows.go_to(span.y());
+        span.parts(rows.reach(), |part| {
+            let mut run = rows.run(part.x0());
+            on.write_some(part, |_| {
+                let value = V::value(&run);
+                V::step(&mut run);
+                color(value)
+            });
+        });
+    }
+}

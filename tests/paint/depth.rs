@@ -217,7 +217,7 @@ fn what_is_not_painted_keeps_its_depth() {
     let (mut ram, mut depth_ram) = ([0; 20 * 4], [0xff; 40 * 4 * 2]);
     let mut frame = Framebuffer::<Index4>::new(&mut ram, 40, 4).unwrap();
     let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, 40, 4).unwrap();
-    let odd = |level: u8| (level % 2 == 1).then_some(Index4::new(3));
+    let odd = |level: u8, _| (level % 2 == 1).then_some(Index4::new(3));
     let window = Rect::new(0, 0, 40, 4);
     frame.paint(DepthShade::new(&mut buffer, plane, depth::less, odd), |_, brush| {
         triangle::fill(corners, window, brush)
@@ -227,7 +227,7 @@ fn what_is_not_painted_keeps_its_depth() {
         assert_eq!(frame.get(at), Some(Index4::new(if painted { 3 } else { 0 })), "{at}");
         assert_eq!(buffer.get(at), Some(if painted { Depth16(7) } else { Depth16::MAX }), "{at}");
     }
-    let all = |_| Some(Index4::new(9));
+    let all = |_, _| Some(Index4::new(9));
     let nearer = Plane::new(&Facet::new(corners).unwrap(), [(5_u16, 0_u8); 3]);
     let shade = DepthShade::new(&mut buffer, nearer, depth::less, all).read_only();
     frame.paint(shade, |window, brush| triangle::fill(corners, window, brush));

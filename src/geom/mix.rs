@@ -1,0 +1,146 @@
+//! [`Mix`]: values anywhere in a triangle, and [`At`]: the pixel as a value.
+
+use embedded_graphics_core::geometry::Point;
+use fixed::types::{I16F16, I24F8};
+
+use super::{
+    facet::{Barycentric, Facet},
+    varying::{Fast, Varying},
+};
+use crate::num::cast::{low_u16, low_u8, signed, unsigned};
+
+/// What has a mean: numbers, colours, or several of them in an array or a tuple.
+///
+/// It is rounded once, from the exact mean to the nearest value, halves upwards.
+/// ```
+/// use embedded_raster::geom::{Barycentric, Mix};
+/// // A quarter of the way from the first corner to the second.
+/// let place = Barycentric { weights: [3, 1, 0], total: 4 };
+/// assert_eq!(<(u8, i16)>::mix(&place, [(10, -4), (20, 4), (0, 0)]), (13, -2));
+/// ```
+pub trait Mix: Copy {
+    /// The mean of three values, weighted as a place lies between the corners that have them. The place is in the triangle.
+    fn mix(place: &Barycentric, corners: [Self; 3]) -> Self;
+}
+
+macro_rules! numbers {
+    ($($type:ty, |$n:ident| $bits:expr, |$back:ident| $value:expr;)*) => {
+        $(impl Mix for $type {
+            #[inline]
+            fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
+                let $back = place.mix(corners.map(|$n| $bits));
+                $value
+            }
+        })*
+    };
+}
+
+numbers! {
+    u8, |n| n.into(), |n| low_u8(unsigned(n));
+    u16, |n| n.into(), |n| low_u16(unsigned(n));
+    i16, |n| n.into(), |n| Self::from_le_bytes(low_u16(unsigned(n)).to_le_bytes());
+    i32, |n| n, |n| n;
+    // With the highest bit turned over, numbers without a sign are in the order of those with one.
+    u32, |n| signed(n ^ 1 << 31), |n| unsigned(n) ^ 1 << 31;
+    I16F16, |n| n.to_bits(), |n| Self::from_bits(n);
+    I24F8, |n| n.to_bits(), |n| Self::from_bits(n);
+}
+
+impl Mix for () {
+    #[inline(always)]
+    fn mix(_: &Barycentric, _: [Self; 3]) {}
+}
+
+impl<V: Mix> Mix for Fast<V> {
+    #[inline(always)]
+    fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
+        Self(V::mix(place, corners.map(|fast| fast.0)))
+    }
+}
+
+impl<V: Mix, const N: usize> Mix for [V; N] {
+    #[inline]
+    fn mix(place: &Barycentric, [a, b, c]: [Self; 3]) -> Self {
+        let mut rest = b.into_iter().zip(c);
+        a.map(|a| {
+            let (b, c) = rest.next().unwrap_or((a, a));
+            V::mix(place, [a, b, c])
+        })
+    }
+}
+
+macro_rules! tuple {
+    ($($name:ident $place:tt),*) => {
+        impl<$($name: Mix),*> Mix for ($($name,)*) {
+            #[inline]
+            fn mix(place: &Barycentric, [a, b, c]: [Self; 3]) -> Self {
+                ($($name::mix(place, [a.$place, b.$place, c.$place]),)*)
+            }
+        }
+    };
+}
+
+tuple!(A 0);
+tuple!(A 0, B 1);
+tuple!(A 0, B 1, C 2);
+tuple!(A 0, B 1, C 2, D 3);
+tuple!(A 0, B 1, C 2, D 3, E 4);
+tuple!(A 0, B 1, C 2, D 3, E 4, F 5);
+
+/// The pixel itself, as a varying: for functions of colours that want to know where they are. What it is given at the corners does
+/// not matter.
+/// ```
+/// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
+/// use embedded_raster::{geom::At, Canvas, Framebuffer, PointFx};
+/// let mut ram = [0; 12];
+/// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 3)?;
+/// let corners = [PointFx::px(0, 0), PointFx::px(9, 0), PointFx::px(0, 9)];
+/// frame.shade_triangle_fx(corners, [At::default(); 3], |At(at)| Gray8::new(10 * at.y as u8 + at.x as u8))?;
+/// assert_eq!(ram, [0, 1, 2, 3, 10, 11, 12, 13, 20, 21, 22, 23]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct At(pub Point);
+
+impl Varying for At {
+    type Slopes = (i32, i32);
+    type Row = i32;
+    type Run = (i32, i32);
+
+    #[inline(always)]
+    fn slopes(facet: &Facet, _: [Self; 3]) -> (i32, i32) {
+        facet.first()
+    }
+
+    #[inline(always)]
+    fn row(slopes: &(i32, i32), down: u32) -> i32 {
+        slopes.1.wrapping_add(signed(down))
+    }
+
+    #[inline(always)]
+    fn below(_: &(i32, i32), row: &mut i32) {
+        *row = row.wrapping_add(1);
+    }
+
+    #[inline(always)]
+    fn run(slopes: &(i32, i32), row: &i32, right: u32) -> (i32, i32) {
+        (slopes.0.wrapping_add(signed(right)), *row)
+    }
+
+    #[inline(always)]
+    fn value(run: &(i32, i32)) -> Self {
+        Self(Point::new(run.0, run.1))
+    }
+
+    #[inline(always)]
+    fn step(run: &mut (i32, i32)) {
+        run.0 = run.0.wrapping_add(1);
+    }
+}
+
+impl Mix for At {
+    #[inline(always)]
+    fn mix(_: &Barycentric, [first, ..]: [Self; 3]) -> Self {
+        first
+    }
+}

@@ -1,0 +1,213 @@
+//! From vertices to fragments: a 3D pipeline in integers.
+//!
+//! ```text
+//!   vertices + indices          what a program has: places, and whatever belongs to them
+//!        |
+//!   vertex stage                a closure: to clip coordinates, and the values that change over a triangle
+//!        |
+//!   assembly                    three corners each: from a list, a strip or a fan
+//!        |
+//!   clipping                    the near and the far plane, and a guard band around the picture
+//!        |
+//!   perspective divide          x / w, y / w, z / w
+//!        |
+//!   viewport                    to pixels, in 24.8
+//!        |
+//!   culling                     of triangles seen from the back, or from the front
+//!        |
+//!   rasterization               the pixels whose centres lie inside, each with its depth and values
+//!        |
+//!   fragment stage              a closure: the colour of a pixel, or none
+//!        |
+//!   frame, depth buffer
+//! ```
+//! The shortest program: three vertices, nothing done to them, and the same colour everywhere.
+//! ```
+//! use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+//! use embedded_raster::{buffer_bytes, pipeline::{Pipeline, Vertex}, Framebuffer, Vec3};
+//! use fixed::types::I16F16;
+//!
+//! let mut ram = [0; buffer_bytes::<Rgb565>(64, 64)];
+//! let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 64)?;
+//! let corners = [(-1, 0), (0, -1), (-1, -1)].map(|(x, y)| Vec3::whole(x, y, 0));
+//! Pipeline::new(64, 64).triangles(
+//!     [corners],
+//!     |place| Vertex::new(place.with_w(I16F16::ONE), ()),
+//!     |triangle| triangle.fill(&mut frame, |_| Some(Rgb565::BLUE)),
+//! );
+//! # let blue = ram.chunks(2).filter(|pixel| pixel == &[0x1f, 0]).count();
+//! # assert_eq!(blue, 496);
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
+//!
+//! # Coordinates
+//! Clip coordinates are [`Vec4`]s: x from -w to w from left to right, y from -w to w from bottom to top, z from 0 at the near plane
+//! to w at the far one. What is divided by w are normalized device coordinates, NDC. The viewport maps x from -1 to 1 to pixels 0 to
+//! W, and y from *1 to -1* to pixels 0 to H: on the screen y points down.
+//! ```text
+//!        NDC                         pixels
+//!    (-1, 1)      (1, 1)         (0, 0)       (W, 0)
+//!        +----------+                +----------+
+//!        |     |    |                |          |        X = (x / w + 1) W / 2
+//!        |-----o----|      --->      |          |        Y = (1 - y / w) H / 2
+//!        |     |    |                |          |        each to the nearest 1/256 pixel
+//!        +----------+                +----------+
+//!    (-1,-1)      (1,-1)         (0, H)       (W, H)
+//! ```
+//!
+//! # What is exact
+//! A corner is rounded once, to 1/256 pixel. From there on the rules of [`triangle`](crate::raster::triangle) and of
+//! [`varying`](crate::geom::varying) hold: triangles that share an edge have no gap and no overlap, and each value is the nearest
+//! one. Depths are z / w, which is linear on the screen. Other values change linearly on the screen as well: see
+//! [`Triangle::fill`].
+//!
+//! A triangle that a plane cuts gets new corners on its edges. They are computed from the two ends of an edge, from the inner one to
+//! the outer one, whichever triangle asks: so both triangles of an edge get the same corner, and there are no cracks. Each
+//! coordinate is rounded once for each plane.
+//!
+//! Any bits in matrices, vertices and viewports are fine: nothing wraps around, and the work for a triangle is bounded by the pixels
+//! that it has in the window and a constant.
+//!
+//! Sources: I. Sutherland and G. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17, 1974; J. Blinn and M. Newell,
+//! "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
+
+mod assembly;
+mod clip;
+mod draw;
+mod viewport;
+
+pub use self::{
+    assembly::{Index, IndexOutOfRange, Topology},
+    draw::{Fragment, Triangle},
+};
+use self::{clip::Clipped, viewport::Screen};
+use crate::geom::{space::Vec4, Mix};
+
+/// What the vertex stage makes of a vertex.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Vertex<V> {
+    /// Where it is, in clip coordinates.
+    pub position: Vec4,
+    /// What changes over a triangle: see [`Varying`](crate::geom::Varying).
+    pub values: V,
+}
+
+impl<V> Vertex<V> {
+    /// A place in clip coordinates, and what changes over a triangle.
+    #[inline]
+    pub const fn new(position: Vec4, values: V) -> Self {
+        Self { position, values }
+    }
+}
+
+/// Which side of a triangle is seen.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Facing {
+    /// Its corners turn counter-clockwise, as seen.
+    Front,
+    /// Its corners turn clockwise, as seen.
+    Back,
+}
+
+/// The fixed stages between vertices and fragments. See the [module](self) for what they are.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Pipeline {
+    screen: Screen,
+    culled: Option<Facing>,
+    front_is_clockwise: bool,
+}
+
+impl Pipeline {
+    /// For a picture of `width` x `height` pixels, 4,096 of them each way at most: what is more is taken for that.
+    ///
+    /// All triangles are drawn, whichever side is seen.
+    pub const fn new(width: u16, height: u16) -> Self {
+        Self { screen: Screen::new(width, height), culled: None, front_is_clockwise: false }
+    }
+
+    /// Leaves out the triangles of which this side is seen.
+    #[must_use]
+    pub const fn cull(self, side: Facing) -> Self {
+        Self { culled: Some(side), ..self }
+    }
+
+    /// For meshes whose triangles turn clockwise when they are seen from the front.
+    #[must_use]
+    pub const fn front_is_clockwise(self) -> Self {
+        Self { front_is_clockwise: true, ..self }
+    }
+
+    /// Takes triangles through all stages up to culling, and hands each that is left to `draw`: see [`Triangle::fill`]. One that a
+    /// plane cuts comes in several pieces, all with its number. Returns how many came.
+    ///
+    /// * `triangles`: three vertices each, as the program has them.
+    /// * `vertex`: the vertex stage.
+    pub fn triangles<A, V: Mix>(
+        &self,
+        triangles: impl IntoIterator<Item = [A; 3]>,
+        mut vertex: impl FnMut(A) -> Vertex<V>,
+        mut draw: impl FnMut(&Triangle<V>),
+    ) -> u32 {
+        let (mut number, mut count) = (0_u32, 0_u32);
+        for corners in triangles {
+            number = number.wrapping_add(1);
+            self.triangle(corners.map(&mut vertex), number, |triangle| {
+                count = count.wrapping_add(1);
+                draw(triangle);
+            });
+        }
+        count
+    }
+
+    /// [`triangles`](Self::triangles) of vertices that indices choose.
+    ///
+    /// # Errors
+    /// If an index has no vertex. Then nothing is drawn.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{pipeline::{Pipeline, Topology, Vertex}, Framebuffer, Vec3};
+    /// use fixed::types::I16F16;
+    /// let mut ram = [0; 16];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 4)?;
+    /// let square = [(-1, -1), (1, -1), (-1, 1), (1, 1)].map(|(x, y)| Vec3::whole(x, y, 0));
+    /// Pipeline::new(4, 4).indexed(
+    ///     Topology::Strip,
+    ///     &square,
+    ///     &[0_u8, 1, 2, 3],
+    ///     |place| Vertex::new(place.with_w(I16F16::ONE), ()),
+    ///     |triangle| triangle.fill(&mut frame, |fragment| Some(Gray8::new(fragment.number as u8))),
+    /// )?;
+    /// assert_eq!(ram, [1, 1, 1, 2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn indexed<A, V: Mix>(
+        &self,
+        topology: Topology,
+        vertices: &[A],
+        indices: &[impl Index],
+        mut vertex: impl FnMut(&A) -> Vertex<V>,
+        draw: impl FnMut(&Triangle<V>),
+    ) -> Result<u32, IndexOutOfRange> {
+        let triangles = assembly::triangles(topology, vertices, indices)?;
+        Ok(self.triangles(triangles, |corner| vertex(corner), draw))
+    }
+
+    /// One triangle, from clipping to culling.
+    fn triangle<V: Mix>(&self, corners: [Vertex<V>; 3], number: u32, mut draw: impl FnMut(&Triangle<V>)) {
+        let mut piece = |corners: &[Vertex<V>; 3]| {
+            let Some(places) = self.screen.places(corners) else { return };
+            let turn = viewport::turn(places);
+            let is_front = (turn > 0) == self.front_is_clockwise;
+            let facing = if is_front { Facing::Front } else { Facing::Back };
+            if turn != 0 && self.culled != Some(facing) {
+                draw(&Triangle { places, corners: *corners, facing, number });
+            }
+        };
+        match clip::look(&self.screen, &corners) {
+            Clipped::Outside => {}
+            Clipped::Inside => piece(&corners),
+            Clipped::Cut(planes) => clip::cut(&self.screen, corners, planes, piece),
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! The pipeline: against homogeneous edge functions at every pixel, and by the laws that closed meshes have.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    clippy::float_arithmetic,
+    reason = "the twin computes with floating point, with a margin"
+)]
+
+mod stages;
