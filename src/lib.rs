@@ -23,7 +23,8 @@ pub use error::{
     BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangleTooLarge, TriangulateError,
 };
 pub use geom::{
-    fill_rule::FillRule, px,
+    fill_rule::FillRule,
+    px,
     space::{Mat4, Patch, Vec3, Vec4},
     Angle, Path, PathSegment, PointFx, Viewport,
 };
