@@ -175,6 +175,7 @@ calls! { on, a, c, window;
     fill_corridor => on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
     copy_area => on.copy_area(a.areas[0], a.points[0], None);
     // Functions of raster that no method of Canvas calls
+    walk_blocks => on.paint(Solid(c), |window, brush| triangle::walk_blocks(a.corners_fx(), window, brush));
     walk => on.paint(Solid(c), |window, brush| triangle::walk(a.corners_fx(), window, brush));
     // eg
     target => eg::target(on).fill_contiguous(&a.rectangle(), core::iter::repeat(c)).is_err();

@@ -16,4 +16,6 @@ fuzz_target!(|data: &[u8]| {
     assert_runs(window, &filled, &wanted, || format!("fill {units:?}"));
     let walked = collect(window, |emit| triangle::walk(corners(units), window, emit));
     assert_runs(window, &walked, &wanted, || format!("walk {units:?}"));
+    let in_blocks = collect(window, |emit| triangle::walk_blocks(corners(units), window, emit));
+    assert_runs(window, &in_blocks, &wanted, || format!("walk_blocks {units:?}"));
 });

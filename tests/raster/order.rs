@@ -119,6 +119,7 @@ fn every_shape_keeps_the_promises_of_a_sink() {
             ("rectangle, outline", area, Box::new(|w, s| rectangle::outline(area, w, s))),
             ("line", line::extent(a, b), Box::new(|w, s| line::draw(a, b, w, s))),
             ("triangle", triangle::extent(corners), Box::new(|w, s| triangle::fill(corners, w, s))),
+            ("triangle, in blocks", triangle::extent(corners), Box::new(|w, s| triangle::walk_blocks(corners, w, s))),
             ("triangle, walked", triangle::extent(corners), Box::new(|w, s| triangle::walk(corners, w, s))),
             ("ellipse", ellipse.extent(), Box::new(|w, s| ellipse::fill(ellipse, w, s))),
             ("ellipse, outline", area, Box::new(|w, s| ellipse::outline(area, w, s))),

@@ -22,10 +22,15 @@ fn walked(units: [Units; 3], window: Rect) -> Vec<Run> {
     collect(window, |emit| triangle::walk(corners(units), window, emit))
 }
 
+fn in_blocks(units: [Units; 3], window: Rect) -> Vec<Run> {
+    collect(window, |emit| triangle::walk_blocks(corners(units), window, emit))
+}
+
 fn check(units: [Units; 3], window: Rect) -> bool {
     let wanted = twins::triangle(units, window);
     assert_runs(window, &filled(units, window), &wanted, || format!("fill {units:?}"));
     assert_runs(window, &walked(units, window), &wanted, || format!("walk {units:?}"));
+    assert_runs(window, &in_blocks(units, window), &wanted, || format!("walk_blocks {units:?}"));
     !wanted.is_empty()
 }
 
@@ -103,6 +108,7 @@ fn all_orders_of_the_corners_give_the_same_pixels() {
         for order in [[a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
             assert_runs(window, &filled(order, window), &wanted, || format!("fill {order:?}"));
             assert_runs(window, &walked(order, window), &wanted, || format!("walk {order:?}"));
+            assert_runs(window, &in_blocks(order, window), &wanted, || format!("walk_blocks {order:?}"));
         }
     }
 }

@@ -9,9 +9,9 @@
 //!     /           \      x1 = first centre at or right of the right edge
 //!    b-------------c     drawn: x0 <= x < x1, the same rounding on both sides
 //! ```
-//! There are two ways to the same pixels. [`fill`] solves each row for its two ends, where the sides cross it: for triangles of
-//! one colour. [`walk`] steps the three edge functions over the bounding box: for values that change from pixel to pixel, such
-//! as shades, as they can be stepped beside the edge functions.
+//! There are three ways to the same pixels. [`fill`] solves each row for its two ends, where the sides cross it: that is what the
+//! methods of `Canvas` do. [`walk`] steps the three edge functions over the bounding box, and [`walk_blocks`] over those blocks of
+//! 8 x 8 pixels that a side crosses: the ways of graphics hardware, to learn from and to compare with.
 //!
 //! The *long* side from the top corner to the bottom one faces two short ones. Which of two sides is the left one need not be
 //! computed. Crossings are rounded the same way on both, and rounding keeps the order: on every row the left one is not
@@ -23,7 +23,8 @@
 //!
 //! Work of [`fill`]: six divisions at most, or as many for each 64 rows of a larger one, and two additions for each row of the window
 //! between the highest and the lowest corner. Of [`walk`]: three additions for each pixel of the window in the box around the corners,
-//! in each row up to the right end of the triangle.
+//! in each row up to the right end of the triangle. Of [`walk_blocks`]: a dozen additions for each block in that box, up to the right end
+//! of the triangle, and three for each pixel in blocks that a side crosses.
 //!
 //! Sources: "Rasterization Rules", Direct3D 11 documentation; J. Pineda, "A Parallel Algorithm for Polygon
 //! Rasterization", SIGGRAPH 1988 (edge functions).
@@ -32,7 +33,7 @@ mod steps;
 mod sums;
 mod walk;
 
-pub use self::walk::walk;
+pub use self::walk::{walk, walk_blocks};
 use crate::{
     geom::{bits, PointFx},
     num::round::first_centre_from,
