@@ -38,10 +38,14 @@ impl Divisor {
         Self { normal, inverse: reciprocal(normal), shift }
     }
 
+    const fn divisor(self) -> u32 {
+        self.normal.wrapping_shr(self.shift)
+    }
+
     /// Quotient and remainder. The caller knows that the quotient fits: `n < 2^32 d`.
     #[inline]
     pub(crate) const fn div_rem(self, n: u64) -> (u32, u32) {
-        let n = n << self.shift;
+        let n = n.wrapping_shl(self.shift);
         let (high, low) = (low_u32(n >> 32), low_u32(n));
         // high (2^32 + v) + low: its high word is the quotient or one less, so one more is the quotient or one more.
         let guess = product(high, self.inverse).wrapping_add(n);
@@ -55,7 +59,7 @@ impl Divisor {
             quotient = quotient.wrapping_add(1);
             rest = rest.wrapping_sub(self.normal);
         }
-        (quotient, rest >> self.shift)
+        (quotient, rest.wrapping_shr(self.shift))
     }
 
     /// `n / d` rounded down, and the remainder. The caller knows that the quotient fits.
@@ -64,7 +68,7 @@ impl Divisor {
         // Of a negative n its complement -1 - n is divided: floor(n / d) = -1 - floor((-1 - n) / d).
         let sign = n >> 63;
         let (quotient, rest) = self.div_rem(magnitude(n ^ sign));
-        let last = (self.normal >> self.shift).wrapping_sub(1);
+        let last = self.divisor().wrapping_sub(1);
         (signed(quotient) ^ narrow(sign), if sign < 0 { last.wrapping_sub(rest) } else { rest })
     }
 
@@ -72,7 +76,7 @@ impl Divisor {
     #[inline]
     pub(crate) const fn nearest(self, n: i64) -> i32 {
         let size = n.unsigned_abs();
-        let d = self.normal >> self.shift;
+        let d = self.divisor();
         if size >> 32 >= d as u64 {
             return if n < 0 { i32::MIN } else { i32::MAX };
         }
@@ -161,7 +165,7 @@ pub(crate) const fn inverse_root(m: u32) -> u32 {
 /// `y 2^(s / 2 - 62)`.
 pub(crate) const fn inverse_root_wide(n: u64) -> (u32, u32) {
     let shift = n.leading_zeros() & !1;
-    (inverse_root(low_u32((n << shift) >> 32)), shift)
+    (inverse_root(low_u32(n.wrapping_shl(shift) >> 32)), shift)
 }
 
 const fn product(a: u32, b: u32) -> u64 {

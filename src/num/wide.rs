@@ -71,7 +71,7 @@ impl Sum {
 /// the ends of the range.
 #[inline(always)]
 pub(crate) const fn nearest(n: i64, shift: u32) -> i32 {
-    saturate((n >> shift.wrapping_sub(1)).wrapping_add(1) >> 1)
+    saturate(n.wrapping_shr(shift.wrapping_sub(1)).wrapping_add(1) >> 1)
 }
 
 #[cfg(test)]

@@ -219,7 +219,7 @@ impl Mat4 {
             [x[0].nearest(power), 0, x[1].nearest(power), 0],
             [0, y[0].nearest(power), y[1].nearest(power), 0],
             [0, 0, z.nearest(power), z_w.nearest(power)],
-            [0, 0, (ONE << power).wrapping_neg(), 0],
+            [0, 0, ONE.wrapping_shl(power).wrapping_neg(), 0],
         ])
     }
 
@@ -248,7 +248,7 @@ impl Mat4 {
             [x[0].nearest(power), 0, 0, x[1].nearest(power)],
             [0, y[0].nearest(power), 0, y[1].nearest(power)],
             [0, 0, z[0].nearest(power), z[1].nearest(power)],
-            [0, 0, 0, ONE << power],
+            [0, 0, 0, ONE.wrapping_shl(power)],
         ])
     }
 

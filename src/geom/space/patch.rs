@@ -351,7 +351,7 @@ impl<'a> Tessellation<'a> {
     /// How many vertices lie on the sides.
     const fn on_sides(&self) -> u32 {
         let [a, b, c, d] = self.levels;
-        a as u32 + b as u32 + c as u32 + d as u32
+        (a as u32).wrapping_add(b as u32).wrapping_add(c as u32).wrapping_add(d as u32)
     }
 
     /// How many vertices there are: at most 65,536, so that the largest number fits 16 bits.
@@ -414,7 +414,8 @@ impl<'a> Tessellation<'a> {
     pub fn each_triangle(&self, mut emit: impl FnMut([u16; 3])) {
         let ([columns, rows], [a, b, c, d]) = (self.inside(), self.levels.map(u32::from));
         // Where the sides begin. The last vertex of the last side is the first one of all.
-        let (around, second, third, fourth) = (self.on_sides(), a, a + b, a + b + c);
+        let (second, third) = (a, a.wrapping_add(b));
+        let (fourth, around) = (third.wrapping_add(c), self.on_sides());
         let side = |first: u32, len: u32| Chain { first, step: 1, len, around };
         let back = |first: u32, len: u32| Chain { first: first.wrapping_add(len), step: -1, len, around };
         // Without an inside, two sides of one segment lie between the other two.
