@@ -2,10 +2,10 @@
 //!
 //! | function | error | multiplications |
 //! |---|---|---|
-//! | [`divide`], [`reciprocal`] | 0.5 ulp: the nearest number | 8 |
+//! | [`divide`], [`reciprocal`] | 0.5 ulp: the nearest number | 11 |
 //! | [`square_root`] | 0.5 ulp: the nearest number | none, 24 steps of two bits |
-//! | [`inverse_root`] | 0.52 ulp | 10 |
-//! | [`cos_sin`] | 0.5001 ulp | 17 |
+//! | [`inverse_root`] | 0.52 ulp | 11 |
+//! | [`cos_sin`] | 0.5001 ulp | 16 |
 //!
 //! No chip needs a divider for them. They are functions of all bits: where there is no result, or none that a 16.16 number holds,
 //! each says what it answers. `Angle::cos_sin` has cosine and sine in 2.30.
