@@ -28,7 +28,8 @@ fn powers_are_as_near_as_they_say() {
             last = got;
         }
         assert!(worst < 0.002, "{worst} of {exponent}");
-        assert_eq!([2, 65_536].map(|n| gloss.power(I16F16::from_num(n as i16).max(I16F16::ONE))), [I16F16::ONE; 2]);
+        let large = [I16F16::ONE, I16F16::from_num(2), I16F16::MAX];
+        assert_eq!(large.map(|x| gloss.power(x)), [I16F16::ONE; 3]);
         assert_eq!([I16F16::ZERO, -I16F16::ONE, I16F16::MIN].map(|x| gloss.power(x)), [I16F16::ZERO; 3]);
     }
     assert_eq!(WOOD, Gloss::new(10));

@@ -119,7 +119,7 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// The tangent along u, times 1/3.
-fn tangent(points: [[[f64; 3]; 4]; 4], u: f64, v: f64) -> [f64; 3] {
+fn tangent(points: &[[[f64; 3]; 4]; 4], u: f64, v: f64) -> [f64; 3] {
     let quadratic = [(1.0 - u) * (1.0 - u), 2.0 * u * (1.0 - u), u * u];
     let cubic = [(1.0 - v).powi(3), 3.0 * v * (1.0 - v).powi(2), 3.0 * v * v * (1.0 - v), v.powi(3)];
     let mut sum = [0.0; 3];
@@ -133,7 +133,7 @@ fn tangent(points: [[[f64; 3]; 4]; 4], u: f64, v: f64) -> [f64; 3] {
     sum
 }
 
-fn transposed<T: Copy>(points: [[T; 4]; 4]) -> [[T; 4]; 4] {
+fn transposed<T: Copy>(points: &[[T; 4]; 4]) -> [[T; 4]; 4] {
     [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| points[j][i]))
 }
 
@@ -146,7 +146,7 @@ fn normals_are_as_near_as_they_say() {
         let ((u, up), (v, vp)) = (part(&mut rng), part(&mut rng));
         let [s, t] = [up, vp].map(|[k, n]| k as f64 / n as f64);
         let points = patch.points.map(|row| row.map(floats));
-        let (a, b) = (tangent(points, s, t), tangent(transposed(points), t, s));
+        let (a, b) = (tangent(&points, s, t), tangent(&transposed(&points), t, s));
         let longest = points.iter().flatten().map(|p| length(*p)).fold(0.0, f64::max);
         let normal = cross(a, b);
         // Short tangents lose bits, and nearly parallel ones.

@@ -5,6 +5,7 @@
     clippy::float_arithmetic,
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     reason = "the reference"
 )]
@@ -80,8 +81,8 @@ fn quotients_are_the_nearest() {
 fn roots_are_as_near_as_they_say() {
     let mut rng = Rng::new(1201);
     let (mut root, mut inverse) = (0.0_f64, 0.0_f64);
-    for i in 0..cases(3_000_000) as i32 {
-        let bits = if i < 300_000 { i + 1 } else { number(&mut rng).saturating_abs().max(1) };
+    for i in 0..cases(3_000_000) {
+        let bits = if i < 300_000 { 1 + i as i32 } else { number(&mut rng).saturating_abs().max(1) };
         let x = I16F16::from_bits(bits);
         root = root.max(ulps(square_root(x), float(x).sqrt()));
         inverse = inverse.max(ulps(inverse_root(x), 1.0 / float(x).sqrt()));

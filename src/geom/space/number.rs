@@ -52,7 +52,7 @@ pub const fn reciprocal(x: I16F16) -> I16F16 {
 /// ```
 pub fn square_root(x: I16F16) -> I16F16 {
     // sqrt(2^-16 bits) = 2^-16 sqrt(2^16 bits)
-    I16F16::from_bits(nearest_root(if x.is_negative() { 0 } else { magnitude((x.to_bits() as i64) << 16) }))
+    I16F16::from_bits(nearest_root(if x.is_negative() { 0 } else { magnitude(i64::from(x.to_bits()) << 16) }))
 }
 
 /// The square root of a whole number, rounded to the nearest one. Stops at the end of the range.

@@ -84,7 +84,7 @@ impl Part {
     }
 
     /// As far from the other end.
-    const fn from_the_end(self) -> Self {
+    const fn mirrored(self) -> Self {
         Self { number: self.of.wrapping_sub(self.number), of: self.of }
     }
 
@@ -363,19 +363,17 @@ impl<'a> Tessellation<'a> {
     /// Where a vertex lies in the patch. Numbers that no vertex has lie somewhere.
     fn parts(&self, number: u16) -> [Part; 2] {
         let mut rest = u32::from(number);
-        let part = |k: u32, level: u8| Part::new(low_u8(k), level);
-        let [a, b, c, d] = self.levels;
-        let sides: [(u8, fn(Part) -> [Part; 2]); 4] = [
-            (a, |t| [t, Part::START]),
-            (b, |t| [Part::END, t]),
-            (c, |t| [t.from_the_end(), Part::END]),
-            (d, |t| [Part::START, t.from_the_end()]),
-        ];
-        for (level, place) in sides {
-            match rest.checked_sub(level.into()) {
-                Some(after) => rest = after,
-                None => return place(part(rest, level)),
-            }
+        for (side, level) in self.levels.into_iter().enumerate() {
+            let Some(after) = rest.checked_sub(level.into()) else {
+                let t = Part::new(low_u8(rest), level);
+                return match side {
+                    0 => [t, Part::START],
+                    1 => [Part::END, t],
+                    2 => [t.mirrored(), Part::END],
+                    _ => [Part::START, t.mirrored()],
+                };
+            };
+            rest = after;
         }
         let [columns, rows] = self.inside();
         let (column, row) = match NonZeroU32::new(rows) {

@@ -90,6 +90,7 @@ impl Vec3 {
     /// assert_eq!(Vec3::X.cross(Vec3::Y), Vec3::Z);
     /// ```
     #[inline]
+    #[must_use]
     pub const fn cross(self, other: Self) -> Self {
         let [x, y, z] = cross(self.to_bits(), other.to_bits());
         Self::from_bits([x.nearest(16), y.nearest(16), z.nearest(16)])
