@@ -25,7 +25,7 @@ use crate::{
         stroke::{self, Dashing, Stroke},
         triangle,
     },
-    span::Rect,
+    span::{ClippedSpan, Rect},
     surface::{Depth, Frame, Layout, Readable, Rows, Surface},
 };
 
@@ -264,8 +264,8 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let shade = Shade::new(Plane::new(&Facet::new(corners)?, values), color);
-        self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+        let mut shade = Shade::new(Plane::new(&Facet::new(corners)?, values), color);
+        triangle::fill(corners, self.window(), |span: ClippedSpan| shade.row(self, span));
         Ok(())
     }
 
@@ -288,8 +288,8 @@ pub trait Canvas: Surface {
         Self: Sized,
     {
         let plane = Plane::new(&Facet::new(corners)?, values);
-        let shade = DepthShade::new(depth, plane, passes, |values, _| Some(color(values)));
-        self.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+        let mut shade = DepthShade::new(depth, plane, passes, |values, _| Some(color(values)));
+        triangle::fill(corners, self.window(), |span: ClippedSpan| shade.row(self, span));
         Ok(())
     }
 

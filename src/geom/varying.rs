@@ -65,6 +65,12 @@ pub trait Varying: Copy {
     /// A pixel of a row so many pixels to the right of the first column of the triangle's box.
     fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run;
 
+    /// Takes a run on that has gone through all the pixels for which it is right, so that it is right for as many again.
+    #[inline(always)]
+    fn go_on(slopes: &Self::Slopes, row: &Self::Row, run: &mut Self::Run, right: u32) {
+        *run = Self::run(slopes, row, right);
+    }
+
     /// The value.
     fn value(run: &Self::Run) -> Self;
 
@@ -111,13 +117,18 @@ impl<V: Varying> Plane<V> {
     #[inline]
     pub fn each(&self, mut x: i32, y: i32, mut n: u32, mut f: impl FnMut(V)) {
         let rows = Rows::new(*self, y);
-        while n > 0 {
-            let (part, mut run) = (n.min(rows.reach()), rows.run(x));
+        let mut run = rows.run(x);
+        loop {
+            let part = n.min(rows.reach());
             for _ in 0..part {
                 f(V::value(&run));
                 V::step(&mut run);
             }
             (x, n) = (x.wrapping_add(signed(part)), n.wrapping_sub(part));
+            if n == 0 {
+                return;
+            }
+            rows.go_on(&mut run, x);
         }
     }
 
@@ -159,6 +170,12 @@ impl<V: Varying> Rows<V> {
     #[inline(always)]
     pub(crate) fn run(&self, x: i32) -> V::Run {
         V::run(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)))
+    }
+
+    /// Takes a run on that has come to column x.
+    #[inline(always)]
+    pub(crate) fn go_on(&self, run: &mut V::Run, x: i32) {
+        V::go_on(&self.plane.slopes, &self.row, run, unsigned(x.wrapping_sub(self.plane.first.0)));
     }
 
     /// For how many pixels a run is right.

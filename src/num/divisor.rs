@@ -5,7 +5,7 @@
 use core::num::NonZeroU32;
 
 use super::{
-    cast::{low_u32, narrow, signed_wide},
+    cast::{low_u32, narrow, signed, signed_wide},
     mixed::Mixed,
 };
 use crate::tune::{COMPACT, DIVIDES};
@@ -101,6 +101,14 @@ impl Divisor {
         self.cut(high >> 32, high << 32 | u64::from(low_u32(low)), bits, n < 0)
     }
 
+    /// Factors for many ratios with so many bits of fraction, up to 64, if `2^(bits + 32) / d` is below 2^64.
+    #[inline]
+    pub(crate) fn scale(&self, bits: u32) -> Option<Scale> {
+        // The reciprocal is that number times 2^(95 - s - bits).
+        let shift = self.down.wrapping_add(32).checked_sub(bits)?;
+        Some(Scale { inverse: self.inverse >> (shift & 63) })
+    }
+
     /// The product of a ratio, cut to so many bits of fraction.
     #[inline(always)]
     fn cut(&self, high: u64, low: u64, bits: u32, is_negative: bool) -> u64 {
@@ -119,6 +127,41 @@ impl Divisor {
     }
 }
 
+/// `2^(bits + 32) / d`, too small by less than 2: for ratios without a shift and without a branch.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct Scale {
+    inverse: u64,
+}
+
+impl Scale {
+    /// `2^bits n / d`, if the factor is below 2^63: not below it, and above it by less than `2 + 2^-30 |n|`, for an n below 2^30.
+    ///
+    /// The halves of the factor have 31 bits, as numbers with a sign are multiplied best. What is cut away is less than 3 of the
+    /// factor, and less than 1 of the product. So a product is not above the ratio, or below it, by more than `1 + 2^-30 |n|`.
+    #[inline(always)]
+    pub(crate) fn ratio(self, n: i32) -> u64 {
+        let product = |half: u64| i64::from(n).wrapping_mul(i64::from(signed(low_u32(half))));
+        let low = product((self.inverse & 0xffff_ffff) >> 1) >> 31;
+        product(self.inverse >> 32).wrapping_add(low).wrapping_add(2).cast_unsigned()
+    }
+
+    /// `2^(bits - 8) n / d` for an n below 2^41: not below it, and above it by less than 12.
+    ///
+    /// Of the product with n in two's complement, so many times 2^64 is taken off as n is negative.
+    #[inline(always)]
+    pub(crate) fn wide_ratio(self, n: i64) -> u64 {
+        let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
+        let ((a1, a0), (b1, b0)) = (halves(n.cast_unsigned()), halves(self.inverse));
+        // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
+        let middle = a1.wrapping_mul(b0).wrapping_add(a0.wrapping_mul(b0) >> 32);
+        let other = a0.wrapping_mul(b1).wrapping_add(u64::from(low_u32(middle)));
+        let high = a1.wrapping_mul(b1).wrapping_add(middle >> 32).wrapping_add(other >> 32);
+        let less = (n >> 63).cast_unsigned() & self.inverse;
+        let cut = high.wrapping_sub(less) << 24 | u64::from(low_u32(other) >> 8);
+        cut.wrapping_add(6)
+    }
+}
+
 /// The high half of a product of 128 bits.
 #[inline]
 fn high_product(a: u64, b: u64) -> u64 {
@@ -131,10 +174,18 @@ fn high_product(a: u64, b: u64) -> u64 {
 }
 
 /// `floor((2^127 - 1) / (2^32 d))` for a `d` whose highest bit is set, in two digits: it is `floor((2^95 - 1) / d)`.
+///
+/// The first digit is itself a reciprocal, 2^63 / d, and gives the second one: the product of the rest is too small by less than 5.
 fn reciprocal(d: NonZeroU32) -> u64 {
     let (high, rest) = digit(u32::MAX >> 1, d);
-    let (low, _) = digit(rest, d);
-    u64::from(high) << 32 | u64::from(low)
+    let (rest, wide) = (u64::from(rest), u64::from(d.get()));
+    let mut low = rest.wrapping_mul(high.into()) >> 31;
+    let mut left = (rest << 32 | 0xffff_ffff).wrapping_sub(low.wrapping_mul(wide));
+    while left >= wide {
+        low = low.wrapping_add(1);
+        left = left.wrapping_sub(wide);
+    }
+    (u64::from(high) << 32).wrapping_add(low)
 }
 
 /// Quotient and remainder of `2^32 high + 2^32 - 1` by a `d` above `high` whose highest bit is set.
@@ -227,6 +278,31 @@ mod tests {
                     assert!((0..=most).contains(&excess), "2^{bits} {n} / {d}: {got}, {excess} / d too large");
                     if let Ok(narrow) = i32::try_from(n) {
                         assert_eq!(Divisor::new(d).narrow_ratio(narrow, bits), got, "2^{bits} {n} / {d}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn scaled_ratios_are_close_from_above() {
+        let ends: std::vec::Vec<u64> = (0..42).flat_map(|b| [1 << b, (1 << b) + 1, (1_u64 << b) * 3 - 1]).collect();
+        for &d in &ends {
+            let Some(scale) = Divisor::new(d).scale(45).filter(|_| d > 1 << 14) else { continue };
+            for n in (0..41).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 / 2 - 1]).chain([0]) {
+                for n in [n, -n] {
+                    // got - 2^bits n / d, times d; of got, 64 bits are known.
+                    let excess = |got: u64, bits: u32| {
+                        let exact = i128::from(n) << bits;
+                        let over = i128::from(got.wrapping_sub(exact.div_euclid(d.into()) as u64) as i64);
+                        over * i128::from(d) - exact.rem_euclid(d.into())
+                    };
+                    let wide = excess(scale.wide_ratio(n), 37);
+                    assert!((0..12 * i128::from(d)).contains(&wide), "2^37 {n} / {d}: {wide} / d too large");
+                    if let Some(narrow) = i32::try_from(n).ok().filter(|n| n.unsigned_abs() < 1 << 30) {
+                        let most = 2 * i128::from(d) + ((i128::from(d) * i128::from(n).abs()) >> 30);
+                        let narrow = excess(scale.ratio(narrow), 45);
+                        assert!((0..=most).contains(&narrow), "2^45 {n} / {d}: {narrow} / d too large");
                     }
                 }
             }

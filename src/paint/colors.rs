@@ -2,14 +2,19 @@
 //!
 //! Colours of up to 16 bits have their three channels in one number of 128 bits, so that a step is one addition of four words:
 //! ```text
-//!     127  123 122        86 85   80 79        43 42   38 37         1 0
-//!    +--------+-------------+-------+-------------+-------+-------------+-+
-//!    |  red   |  fraction   | green |  fraction   | blue  |  fraction   | |    of Rgb565
-//!    +--------+-------------+-------+-------------+-------+-------------+-+
+//!     127   123 122       86 85   81 80        43 42   37 36         0
+//!    +---------+------------+-------+------------+-------+------------+
+//!    |  blue   |  fraction  |  red  |  fraction  | green |  fraction  |    of Rgb565
+//!    +---------+------------+-------+------------+-------+------------+
 //! ```
 //! A step that is negative borrows from the channel on its left, and the sum is right all the same, as no channel is negative: it
 //! is the sum of three products, whatever carries do. With 37 bits of fraction a channel is right while it is less than 1 / D
 //! too large (see [`geom::varying`](crate::geom::varying)): after k steps, while (k + 1) D is below 2^37 less 3 %.
+//!
+//! The order of the channels is that in which an RGB565 is put together soonest. In its word, blue is on top and needs a shift
+//! only, and green lies where it lies in the colour: four instructions on Cortex-M4, with one mask in a register.
+//!
+//! [`Fast`] has 16 bits for each fraction, and so all three in 64 bits.
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
@@ -50,6 +55,11 @@ macro_rules! by_levels {
             }
 
             #[inline(always)]
+            fn go_on(slopes: &Self::Slopes, row: &Self::Row, run: &mut Self::Run, right: u32) {
+                <$levels>::go_on(slopes, row, run, right);
+            }
+
+            #[inline(always)]
             fn value(run: &Self::Run) -> Self {
                 let $l = <$levels>::value(run);
                 $join
@@ -58,6 +68,11 @@ macro_rules! by_levels {
             #[inline(always)]
             fn step(run: &mut Self::Run) {
                 <$levels>::step(run);
+            }
+
+            #[inline(always)]
+            fn reach(slopes: &Self::Slopes) -> u32 {
+                <$levels>::reach(slopes)
             }
         }
     };
@@ -74,9 +89,25 @@ pub enum LevelSlopes {
     /// In a small triangle: at the first pixel of its box, to the right, and downwards.
     #[doc(hidden)]
     Packed([u128; 3]),
-    /// In a large one, and for how many pixels a run is right.
+    /// In another one.
     #[doc(hidden)]
-    Apart([ByteSlopes; 3], u32),
+    Apart(Apart),
+}
+
+/// How three levels change over a large triangle, where packed numbers are right for a run of some pixels.
+///
+/// Between runs, what the steps of a run gained too much is taken back, down to less than 1 unit: after j runs and k steps the
+/// numbers are too large by less than j + k + 1 units. Where that would not do for the longest rows, each run starts from the finer
+/// numbers.
+#[derive(Copy, Clone, Debug)]
+pub struct Apart {
+    levels: [ByteSlopes; 3],
+    /// What a step to the right adds.
+    by: u128,
+    /// What is taken back between runs; 0 to start from the finer numbers.
+    back: u128,
+    /// Pixels of a run.
+    reach: u32,
 }
 
 /// Three levels in the first column of a row: packed, or as the number of the row.
@@ -97,7 +128,7 @@ impl Levels {
     /// Bits of a fraction.
     const BITS: u32 = 37;
     /// The lowest bit of each fraction.
-    const PLACES: [u32; 3] = [86, 43, 1];
+    const PLACES: [u32; 3] = [44, 0, 86];
     /// What D times the number of steps may be, and 3 % less, as the start has an excess of its own.
     const MOST: i64 = (1 << Self::BITS) - (1 << (Self::BITS - 5));
 
@@ -108,6 +139,52 @@ impl Levels {
         let [first, second, third] = Self::PLACES;
         (a << first).wrapping_add(b << second).wrapping_add(c << third)
     }
+}
+
+impl LevelSlopes {
+    /// And what each level gains to the right.
+    #[inline(never)]
+    fn new(facet: &Facet, [a, b, c]: [Levels; 3]) -> (Self, [u64; 3]) {
+        let [Levels([a0, a1, a2]), Levels([b0, b1, b2]), Levels([c0, c1, c2])] = [a, b, c];
+        let levels = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]];
+        // A step adds up to 2 units too much, and the first 6 of 10 more steps are for what the start has too much.
+        let Some(scale) = facet.small_scale(Levels::BITS, Levels::MOST >> 1) else {
+            return Self::apart(facet, levels);
+        };
+        let [a, b, c] = levels.map(|corners| facet.level_slopes(scale, corners, Levels::BITS));
+        let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|[s, r, d]| (s, r, d));
+        let right = [a1, b1, c1];
+        (Self::Packed([[a0, b0, c0], right, [a2, b2, c2]].map(Levels::packed)), right)
+    }
+
+    /// In a triangle that is too large for packed numbers, or too steep.
+    #[inline(never)]
+    fn apart(facet: &Facet, levels: [[u8; 3]; 3]) -> (Self, [u64; 3]) {
+        let levels = levels.map(|corners| ByteSlopes::new(facet, corners));
+        let fine = levels.each_ref().map(|slopes| slopes.run(0, 0).by);
+        let right = fine.map(|gain| cut(gain, 1));
+        // With `most` steps and the start, a number is just right.
+        let most = facet.times_in(Levels::MOST).saturating_sub(1).max(1);
+        let (long, runs) = (most.wrapping_sub(most >> 2) & !3, (most >> 2).wrapping_add(1));
+        let (mut reach, mut back) = (most, 0);
+        if long.saturating_mul(runs) >= facet.extent() {
+            reach = long;
+            let less = ByteSlopes::BITS - Levels::BITS;
+            // A step gains up to 1 unit too much. A reach is below 2^36.
+            let excess =
+                |(coarse, fine): (u64, u64)| (coarse << less).wrapping_sub(fine).wrapping_mul(reach.into()) >> less;
+            let [a, b, c] = fine;
+            let [p, q, r] = right;
+            back = Levels::packed([(p, a), (q, b), (r, c)].map(excess));
+        }
+        (Self::Apart(Apart { levels, by: Levels::packed(right), back, reach }), right)
+    }
+}
+
+/// The bits of a byte's slope, cut to those of a level.
+#[inline(always)]
+fn cut(n: u64, more: u64) -> u64 {
+    (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more)
 }
 
 /// So many times as much.
@@ -122,22 +199,20 @@ fn times(n: u128, factor: u32) -> u128 {
     words.into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 
+/// The level whose lowest bit is that one. Each lies in one of the four words.
+#[inline(always)]
+fn level(n: u128, bit: u32) -> u8 {
+    low_u8(low_u32(low_u64(n >> (bit & !31))) >> (bit & 31))
+}
+
 impl Varying for Levels {
     type Slopes = LevelSlopes;
     type Row = LevelRow;
     type Run = LevelRun;
 
     #[inline(always)]
-    fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> LevelSlopes {
-        let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|Self([r, g, b])| (r, g, b));
-        let levels = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]];
-        let reach = facet.times_in(Self::MOST);
-        if reach > facet.extent().wrapping_add(2) {
-            let [a, b, c] = levels.map(|corners| facet.byte_slopes(corners, Self::BITS));
-            let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|[s, r, d]| (s, r, d));
-            return LevelSlopes::Packed([[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]].map(Self::packed));
-        }
-        LevelSlopes::Apart(levels.map(|corners| ByteSlopes::new(facet, corners)), reach.saturating_sub(1).max(1))
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> LevelSlopes {
+        LevelSlopes::new(facet, corners).0
     }
 
     #[inline(always)]
@@ -161,18 +236,21 @@ impl Varying for Levels {
     fn run(slopes: &LevelSlopes, row: &LevelRow, right: u32) -> LevelRun {
         match *slopes {
             LevelSlopes::Packed([_, by, _]) => LevelRun { at: row.at.wrapping_add(times(by, right)), by },
-            LevelSlopes::Apart(ref levels, reach) => run_apart(levels, reach, right, row.down),
+            LevelSlopes::Apart(ref apart) => LevelRun { at: start_apart(apart, right, row.down), by: apart.by },
+        }
+    }
+
+    #[inline(always)]
+    fn go_on(slopes: &LevelSlopes, row: &LevelRow, run: &mut LevelRun, right: u32) {
+        match *slopes {
+            LevelSlopes::Apart(Apart { back, .. }) if back != 0 => run.at = run.at.wrapping_sub(back),
+            _ => *run = Self::run(slopes, row, right),
         }
     }
 
     #[inline(always)]
     fn value(run: &LevelRun) -> Self {
-        // Each level lies in one of the four words.
-        Self(Self::PLACES.map(|place| {
-            let bit = place.wrapping_add(Self::BITS);
-            let word = low_u32(low_u64(run.at >> (bit & !31)));
-            low_u8(word >> (bit & 31))
-        }))
+        Self(Self::PLACES.map(|place| level(run.at, place.wrapping_add(Self::BITS))))
     }
 
     #[inline(always)]
@@ -184,30 +262,109 @@ impl Varying for Levels {
     fn reach(slopes: &LevelSlopes) -> u32 {
         match *slopes {
             LevelSlopes::Packed(_) => u32::MAX,
-            LevelSlopes::Apart(_, reach) => reach,
+            LevelSlopes::Apart(Apart { reach, .. }) => reach,
         }
     }
 }
 
-/// In a large triangle runs are computed from finer numbers.
+/// In a large triangle runs start from finer numbers. Alone, a pixel has to be right without a unit more: its unit may be larger
+/// than 1 / D.
 #[inline(never)]
-fn run_apart(levels: &[ByteSlopes; 3], reach: u32, right: u32, down: u32) -> LevelRun {
-    // Alone, a pixel has to be right without a unit more: its unit may be larger than 1 / D.
-    let more = u64::from(reach > 1);
-    let cut =
-        |n: u64, more: u64| (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more);
-    let runs = levels.each_ref().map(|slopes| slopes.run(slopes.row(down), right));
-    let at = Levels::packed(runs.map(|run| cut(run.at, more)));
-    LevelRun { at, by: Levels::packed(runs.map(|run| cut(run.by, 1))) }
+fn start_apart(apart: &Apart, right: u32, down: u32) -> u128 {
+    let more = u64::from(apart.reach > 1);
+    Levels::packed(apart.levels.each_ref().map(|slopes| cut(slopes.run(slopes.row(down), right).at, more)))
 }
 
-macro_rules! rgb {
-    ($levels:ty, |$l:pat_param| $parts:expr, |$p:ident| $of:expr; $($color:ty),*) => {
+/// How three levels change over a triangle in their fast mode: from pixel to pixel of a row by `by`.
+#[derive(Copy, Clone, Debug)]
+pub struct FastSlopes {
+    levels: LevelSlopes,
+    by: u64,
+}
+
+/// Three levels at one pixel, with 16 bits of fraction each: those of [`Levels`] in the same order.
+#[derive(Copy, Clone, Debug)]
+pub struct FastRun {
+    at: u64,
+    by: u64,
+}
+
+impl FastRun {
+    /// Bits of a fraction.
+    const BITS: u32 = 16;
+    /// The lowest bit of each fraction.
+    const PLACES: [u32; 3] = [22, 0, 43];
+}
+
+impl Varying for Fast<Levels> {
+    type Slopes = FastSlopes;
+    type Row = LevelRow;
+    type Run = FastRun;
+
+    #[inline(always)]
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> FastSlopes {
+        let (levels, right) = LevelSlopes::new(facet, corners.map(|corner| corner.0));
+        let less = Levels::BITS - FastRun::BITS;
+        let by = right.into_iter().zip(FastRun::PLACES).fold(0_u64, |sum, (gain, place)| {
+            // Towards zero.
+            let up = (signed_wide(gain) >> 63).cast_unsigned() & ((1 << less) - 1);
+            let gain = (signed_wide(gain.wrapping_add(up)) >> less).cast_unsigned();
+            sum.wrapping_add(gain << place)
+        });
+        FastSlopes { levels, by }
+    }
+
+    #[inline(always)]
+    fn row(slopes: &FastSlopes, down: u32) -> LevelRow {
+        Levels::row(&slopes.levels, down)
+    }
+
+    #[inline(always)]
+    fn below(slopes: &FastSlopes, row: &mut LevelRow) {
+        Levels::below(&slopes.levels, row);
+    }
+
+    #[inline(always)]
+    fn run(slopes: &FastSlopes, row: &LevelRow, right: u32) -> FastRun {
+        let start = Levels::run(&slopes.levels, row, right).at;
+        let less = Levels::BITS - FastRun::BITS;
+        let part = |n: usize, mask: u64| {
+            let (from, to) = (Levels::PLACES.get(n), FastRun::PLACES.get(n));
+            let (from, to) = (from.copied().unwrap_or_default(), to.copied().unwrap_or_default());
+            (low_u64(start >> from.wrapping_add(less)) & mask) << to
+        };
+        FastRun { at: part(0, (1 << 21) - 1) | part(1, (1 << 22) - 1) | part(2, (1 << 21) - 1), by: slopes.by }
+    }
+
+    #[inline(always)]
+    fn value(run: &FastRun) -> Self {
+        Self(Levels(FastRun::PLACES.map(|place| level(run.at.into(), place.wrapping_add(FastRun::BITS)))))
+    }
+
+    #[inline(always)]
+    fn step(run: &mut FastRun) {
+        run.at = run.at.wrapping_add(run.by);
+    }
+}
+
+macro_rules! packed {
+    ($($color:ty),*) => {
         $(
-            by_levels!($color, $levels, |c| { let $p = [c.r(), c.g(), c.b()]; $of }, |$l| {
-                let [r, g, b] = $parts;
-                Self::new(r, g, b)
-            });
+            by_levels!($color, Levels, |c| Levels([c.r(), c.g(), c.b()]), |Levels([r, g, b])| Self::new(r, g, b));
+            by_levels!(
+                Fast<$color>,
+                Fast<Levels>,
+                |c| Fast(Levels([c.0.r(), c.0.g(), c.0.b()])),
+                |Fast(Levels([r, g, b]))| Self(<$color>::new(r, g, b))
+            );
+        )*
+    };
+}
+
+macro_rules! bytes {
+    ($($color:ty),*) => {
+        $(
+            by_levels!($color, [u8; 3], |c| [c.r(), c.g(), c.b()], |[r, g, b]| Self::new(r, g, b));
             by_levels!(Fast<$color>, [Fast<u8>; 3], |c| [Fast(c.0.r()), Fast(c.0.g()), Fast(c.0.b())], |[r, g, b]| {
                 Self(<$color>::new(r.0, g.0, b.0))
             });
@@ -237,8 +394,8 @@ macro_rules! gray {
     };
 }
 
-rgb!(Levels, |Levels(l)| l, |p| Levels(p); Rgb332, Rgb444, Rgb555, Rgb565, Bgr555, Bgr565);
-rgb!([u8; 3], |l| l, |p| p; Rgb666, Rgb888, Xrgb8888, Bgr666, Bgr888);
+packed!(Rgb332, Rgb444, Rgb555, Rgb565, Bgr555, Bgr565);
+bytes!(Rgb666, Rgb888, Xrgb8888, Bgr666, Bgr888);
 gray!(Gray2, Gray4, Gray8);
 
 macro_rules! mixes {

@@ -31,7 +31,7 @@ use super::traits::Paint;
 use crate::{
     geom::{varying::Rows, Plane, Varying},
     span::ClippedSpan,
-    surface::{self, Depth, Frame, Surface},
+    surface::{self, Depth, Frame, Inside, Said, Surface},
 };
 
 /// Nearer than what is there.
@@ -85,29 +85,29 @@ impl<'a, M: AsMut<[u8]>, Z: Depth, V: Varying, T, F> DepthShade<'a, M, Z, V, T, 
     }
 }
 
-impl<S, M, Z, V, T, F> Paint<S> for DepthShade<'_, M, Z, V, T, F>
-where
-    S: Surface,
-    M: AsMut<[u8]>,
-    Z: Depth,
-    V: Varying,
-    T: Fn(&Z::Number, &Z::Number) -> bool,
-    F: FnMut(V, Z::Number) -> Option<S::Color>,
-{
+impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool, F> DepthShade<'_, M, Z, V, T, F> {
+    /// Paints pixels of one row that lie in the window of the surface.
     #[inline(never)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+    pub(crate) fn row<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V, Z::Number) -> Option<S::Color>,
+    {
         let Self { depth, rows, passes, writes, color } = self;
         let (Some((span, mut cells)), writes) = (depth.cells(span), *writes) else { return };
         rows.go_to(span.y());
+        let mut run = rows.run(span.x0());
         span.parts(rows.reach(), |part| {
             let Some((row, rest)) = core::mem::take(&mut cells).split_at_mut_checked(part.len() as usize) else {
                 return;
             };
             cells = rest;
-            let (mut run, mut row) = (rows.run(part.x0()), row.iter_mut());
-            on.write_some(part, |_| {
-                let (z, values) = (Z::Number::value(&run.0), run.1);
-                <(Z::Number, V)>::step(&mut run);
+            if part.x0() != span.x0() {
+                rows.go_on(&mut run, part.x0());
+            }
+            let (mut at, mut row) = (run, row.iter_mut());
+            on.write_inside(Inside(Said::Span(part)), |_| {
+                let (z, values) = (Z::Number::value(&at.0), at.1);
+                <(Z::Number, V)>::step(&mut at);
                 let cell = row.next()?;
                 if !passes(&z, &Z::load(*cell)) {
                     return None;
@@ -118,6 +118,24 @@ where
                 }
                 Some(color)
             });
+            run = at;
         });
+    }
+}
+
+impl<S, M, Z, V, T, F> Paint<S> for DepthShade<'_, M, Z, V, T, F>
+where
+    S: Surface,
+    M: AsMut<[u8]>,
+    Z: Depth,
+    V: Varying,
+    T: Fn(&Z::Number, &Z::Number) -> bool,
+    F: FnMut(V, Z::Number) -> Option<S::Color>,
+{
+    #[inline]
+    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+        if let Some(span) = span.again(on.window()) {
+            self.row(on, span);
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::traits::Paint;
 use crate::{
     geom::{varying::Rows, Plane, Varying},
     span::ClippedSpan,
-    surface::Surface,
+    surface::{Inside, Said, Surface},
 };
 
 /// The colours that a function makes of the values of a [`Plane`], pixel by pixel.
@@ -25,20 +25,55 @@ impl<V: Varying, F> Shade<V, F> {
     }
 }
 
-impl<S: Surface, V: Varying, F: FnMut(V) -> S::Color> Paint<S> for Shade<V, F> {
+impl<V: Varying, F> Shade<V, F> {
+    /// Paints pixels of one row that lie in the window of the surface.
     // Not inlined: the state of the loop along the row has the registers to itself.
     #[inline(never)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+    pub(crate) fn row<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V) -> S::Color,
+    {
+        self.rows.go_to(span.y());
+        if span.len() > self.rows.reach() {
+            return self.parts(on, span);
+        }
+        let (mut run, color) = (self.rows.run(span.x0()), &mut self.color);
+        on.write_span_inside(Inside(Said::Span(span)), |_| {
+            let value = V::value(&run);
+            V::step(&mut run);
+            color(value)
+        });
+    }
+
+    /// The same for a row in which a run is not right to its end.
+    #[inline(never)]
+    fn parts<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V) -> S::Color,
+    {
         let Self { rows, color } = self;
-        rows.go_to(span.y());
+        let mut run = rows.run(span.x0());
         span.parts(rows.reach(), |part| {
-            let mut run = rows.run(part.x0());
-            on.write_span(part, |_| {
-                let value = V::value(&run);
-                V::step(&mut run);
+            if part.x0() != span.x0() {
+                rows.go_on(&mut run, part.x0());
+            }
+            let mut at = run;
+            on.write_span_inside(Inside(Said::Span(part)), |_| {
+                let value = V::value(&at);
+                V::step(&mut at);
                 color(value)
             });
+            run = at;
         });
+    }
+}
+
+impl<S: Surface, V: Varying, F: FnMut(V) -> S::Color> Paint<S> for Shade<V, F> {
+    #[inline]
+    fn span(&mut self, on: &mut S, span: ClippedSpan) {
+        if let Some(span) = span.again(on.window()) {
+            self.row(on, span);
+        }
     }
 }
 
@@ -55,20 +90,36 @@ impl<V: Varying, F> ShadeSome<V, F> {
     pub fn new(plane: Plane<V>, color: F) -> Self {
         Self { rows: Rows::new(plane, plane.top()), color }
     }
+
+    /// Paints pixels of one row that lie in the window of the surface.
+    #[inline(never)]
+    pub(crate) fn row<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V) -> Option<S::Color>,
+    {
+        let Self { rows, color } = self;
+        rows.go_to(span.y());
+        let mut run = rows.run(span.x0());
+        span.parts(rows.reach(), |part| {
+            if part.x0() != span.x0() {
+                rows.go_on(&mut run, part.x0());
+            }
+            let mut at = run;
+            on.write_inside(Inside(Said::Span(part)), |_| {
+                let value = V::value(&at);
+                V::step(&mut at);
+                color(value)
+            });
+            run = at;
+        });
+    }
 }
 
 impl<S: Surface, V: Varying, F: FnMut(V) -> Option<S::Color>> Paint<S> for ShadeSome<V, F> {
-    #[inline(never)]
+    #[inline]
     fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        let Self { rows, color } = self;
-        rows.go_to(span.y());
-        span.parts(rows.reach(), |part| {
-            let mut run = rows.run(part.x0());
-            on.write_some(part, |_| {
-                let value = V::value(&run);
-                V::step(&mut run);
-                color(value)
-            });
-        });
+        if let Some(span) = span.again(on.window()) {
+            self.row(on, span);
+        }
     }
 }

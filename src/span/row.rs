@@ -82,16 +82,26 @@ impl ClippedSpan {
         self.x1
     }
 
+    /// The part of it in a window: it may have been clipped against another one.
+    #[inline(always)]
+    pub(crate) fn again(self, window: Rect) -> Option<Self> {
+        Span { y: self.y, x0: self.x0, x1: self.x1 }.clip(window)
+    }
+
     /// Calls `f` with its parts, from left to right, each of `most` pixels but the last one. `most` is not 0.
     #[inline(always)]
     pub(crate) fn parts(self, most: u32, mut f: impl FnMut(Self)) {
-        let mut rest = self;
-        while rest.len() > most {
-            let x1 = rest.x0.wrapping_add(signed(most));
+        let mut x0 = self.x0;
+        // One call, which is inlined: at two places it would not be.
+        loop {
+            let rest = Self { x0, ..self };
+            let x1 = if rest.len() > most { x0.wrapping_add(signed(most)) } else { self.x1 };
             f(Self { x1, ..rest });
-            rest.x0 = x1;
+            if x1 == self.x1 {
+                return;
+            }
+            x0 = x1;
         }
-        f(rest);
     }
 
     /// Number of pixels, at least 1.

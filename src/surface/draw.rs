@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     pixel::PixelFormat,
-    span::{ClippedSpan, Octants, Rect, Span, Steps},
+    span::{ClippedSpan, Octants, Rect, Steps},
     tune::COMPACT,
 };
 
@@ -82,8 +82,15 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     }
 
     #[inline(always)]
-    fn write_span(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> L::Color) {
-        let Some(span) = self.again(span) else { return };
+    fn write_span(&mut self, span: ClippedSpan, color_at: impl FnMut(i32) -> L::Color) {
+        if let Some(span) = self.again(span) {
+            self.write_span_inside(Inside(Said::Span(span)), color_at);
+        }
+    }
+
+    #[inline(always)]
+    fn write_span_inside(&mut self, what: Inside, mut color_at: impl FnMut(i32) -> L::Color) {
+        let Said::Span(span) = what.0 else { return };
         let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
         let (memory, grid) = self.write();
         L::write_span(memory, grid, y, columns, || {
@@ -148,7 +155,7 @@ impl<M: AsMut<[u8]>, L: Layout> Frame<M, L> {
     /// The part of a span in this window: whoever calls may have clipped it against another one.
     #[inline(always)]
     pub(super) fn again(&self, span: ClippedSpan) -> Option<ClippedSpan> {
-        Span { y: span.y(), x0: span.x0(), x1: span.x1() }.clip(self.window())
+        span.again(self.window())
     }
 
     #[inline(always)]

@@ -122,6 +122,18 @@ pub trait Surface {
         }
     }
 
+    /// [`write_span`](Self::write_span) where this crate clipped the span just before: see [`fill_inside`](Self::fill_inside).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_span_inside(&mut self, what: Inside, color_at: impl FnMut(i32) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        if let Said::Span(span) = what.0 {
+            self.write_span(span, color_at);
+        }
+    }
+
     /// [`write_some`](Self::write_some) where this crate clipped the span just before: see [`fill_inside`](Self::fill_inside).
     #[doc(hidden)]
     #[inline(always)]
