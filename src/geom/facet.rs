@@ -166,30 +166,52 @@ impl Facet {
         ]
     }
 
-    /// The factors of [`level_slopes`](Self::level_slopes), if the triangle is small: at most 512 pixels wide and high together, and
-    /// not smaller than a quarter of a pixel; and if D times its width and height, with 10 pixels more, is at most `most`.
+    /// Factors for 45 bits of fraction, if the triangle is small: at most so many pixels wide and high together, up to 512; not
+    /// smaller than a quarter of a pixel; and D times its width and height, with 10 pixels more, is at most 2^36 less 3 %.
     #[inline(always)]
-    pub(crate) fn small_scale(&self, bits: u32, most: i64) -> Option<Scale> {
+    fn small_scale(&self, extent: u32) -> Option<Scale> {
         let steps = i64::from(self.extent).wrapping_add(10);
-        let is_small = self.extent <= 512 && self.area >= 1 << 15 && self.area.wrapping_mul(steps) <= most;
-        self.divisor.scale(bits.wrapping_add(8)).filter(|_| is_small)
+        let most = (1 << 36) - (1 << 31);
+        let is_small = self.extent <= extent && self.area >= 1 << 15 && self.area.wrapping_mul(steps) <= most;
+        self.divisor.scale(Self::SMALL_BITS.wrapping_add(8)).filter(|_| is_small)
     }
 
-    /// [`byte_slopes`](Self::byte_slopes) of a level of up to 6 bits in a small triangle, by factors for 8 bits more than wanted.
+    /// Bits of the fraction of slopes in small triangles.
+    pub(crate) const SMALL_BITS: u32 = 37;
+
+    /// [`byte_slopes`](Self::byte_slopes) with [`SMALL_BITS`](Self::SMALL_BITS) of levels of up to 6 bits, in a small triangle.
     ///
     /// Sides are at most 2^17 units long, and the product of width and height is at most 2^32. So what is gained in a unit is below
     /// 2^24, and the numerator of the start below 2^40.1. Gains are above the true ones by at most 2 + 2^-6 units of the fraction,
-    /// the start by less than 12. With 37 bits, no number is above 2^62.2, as D is at least 2^15.
+    /// the start by at most 9: with all steps, by less than 1 / D. No number is above 2^62.2, as D is at least 2^15.
     #[inline(always)]
-    pub(crate) fn level_slopes(&self, scale: Scale, [v0, v1, v2]: [u8; 3], bits: u32) -> [u64; 3] {
+    pub(crate) fn level_slopes(&self, levels: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
+        let scale = self.small_scale(512)?;
+        Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
+    }
+
+    /// The same of a number of 16 bits in a triangle of 63 pixels.
+    ///
+    /// Sides are at most 63 pixels long, and the product of width and height is below 2^26. So what is gained in a unit is below 2^31,
+    /// and the numerator of the start below 2^44. Gains are above the true ones by at most 5 units of the fraction, the start by at
+    /// most 66. As D is below 2^27, all of that together is less than 1 / D. Of the start, the low 64 bits.
+    #[inline(always)]
+    pub(crate) fn word_slopes(&self, corners: [i32; 3]) -> Option<[u64; 3]> {
+        let scale = self.small_scale(63)?;
+        Some(self.small_slopes(scale, corners, 3, 34))
+    }
+
+    #[inline(always)]
+    fn small_slopes(&self, scale: Scale, [v0, v1, v2]: [i32; 3], more: i64, more_at_start: u64) -> [u64; 3] {
         let [b, c] = self.sides;
-        let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
+        let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
         let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
         let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
         let ((x, y), product) = (self.to_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
         let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
-        let start = (u64::from(v0) << bits).wrapping_add(scale.wide_ratio(n));
-        [start, scale.ratio(right), scale.ratio(down)]
+        let start =
+            (i64::from(v0) << Self::SMALL_BITS).cast_unsigned().wrapping_add(scale.wide_ratio(n, more_at_start));
+        [start, scale.ratio(right, more), scale.ratio(down, more)]
     }
 
     /// The same for any number: with 64 bits of fraction, above the true numbers by at most 3 or, if `is_wide`, 6 units.

@@ -67,8 +67,8 @@ pub trait Varying: Copy {
 
     /// Takes a run on that has gone through all the pixels for which it is right, so that it is right for as many again.
     #[inline(always)]
-    fn go_on(slopes: &Self::Slopes, row: &Self::Row, run: &mut Self::Run, right: u32) {
-        *run = Self::run(slopes, row, right);
+    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, right: u32, down: u32) {
+        *run = Self::run(slopes, &Self::row(slopes, down), right);
     }
 
     /// The value.
@@ -128,7 +128,7 @@ impl<V: Varying> Plane<V> {
             if n == 0 {
                 return;
             }
-            rows.go_on(&mut run, x);
+            rows.go_on(&mut run, x, y);
         }
     }
 
@@ -172,10 +172,11 @@ impl<V: Varying> Rows<V> {
         V::run(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)))
     }
 
-    /// Takes a run on that has come to column x.
+    /// Takes a run of row y on that has come to column x.
     #[inline(always)]
-    pub(crate) fn go_on(&self, run: &mut V::Run, x: i32) {
-        V::go_on(&self.plane.slopes, &self.row, run, unsigned(x.wrapping_sub(self.plane.first.0)));
+    pub(crate) fn go_on(&self, run: &mut V::Run, x: i32, y: i32) {
+        let Plane { first, ref slopes } = self.plane;
+        V::go_on(slopes, run, unsigned(x.wrapping_sub(first.0)), unsigned(y.wrapping_sub(first.1)));
     }
 
     /// For how many pixels a run is right.
@@ -303,7 +304,61 @@ impl Varying for u8 {
 #[derive(Copy, Clone, Debug)]
 pub struct WordSlopes {
     slopes: Slopes,
+    /// In a small triangle [`WordSlopes::SMALL`]: then the numbers are those of a [`Word`], each in the place of a fraction.
     reach: u32,
+}
+
+impl WordSlopes {
+    const SMALL: u32 = u32::MAX;
+
+    #[inline(always)]
+    fn new(facet: &Facet, corners: [i32; 3]) -> Self {
+        let Some(slopes) = facet.word_slopes(corners) else { return Self::large(facet, corners) };
+        let [start, right, down] =
+            slopes.map(|n| Mixed { whole: 0, fraction: n << (Word::BITS.wrapping_sub(Facet::SMALL_BITS)) });
+        Self { slopes: Slopes { start, right, down }, reach: Self::SMALL }
+    }
+
+    #[inline(never)]
+    fn large(facet: &Facet, corners: [i32; 3]) -> Self {
+        // D times the steps may be 2^48, and 3 % less, as the start has an excess of its own.
+        let reach = facet.times_in((1 << 48) - (1 << 43)).saturating_sub(1);
+        Self { slopes: Slopes::new(facet, corners.map(i64::from), false), reach }
+    }
+
+    #[inline(always)]
+    fn row(&self, down: u32) -> Mixed {
+        if self.reach == Self::SMALL {
+            let Slopes { start, down: by, .. } = self.slopes;
+            let fraction = start.fraction.wrapping_add(by.fraction.wrapping_mul(down.into()));
+            return Mixed { whole: 0, fraction };
+        }
+        self.slopes.row(down)
+    }
+
+    #[inline(always)]
+    fn below(&self, row: &mut Mixed) {
+        if self.reach == Self::SMALL {
+            row.fraction = row.fraction.wrapping_add(self.slopes.down.fraction);
+        } else {
+            *row += self.slopes.down;
+        }
+    }
+
+    #[inline(always)]
+    fn run(&self, row: Mixed, right: u32) -> Word {
+        let by = self.slopes.right;
+        if self.reach == Self::SMALL {
+            return Word { at: row.fraction.wrapping_add(by.fraction.wrapping_mul(right.into())), by: by.fraction };
+        }
+        self.large_run(row, right)
+    }
+
+    #[inline(never)]
+    fn large_run(&self, row: Mixed, right: u32) -> Word {
+        let cut = |n: Mixed| n.cut(16).wrapping_add(1);
+        Word { at: cut(self.slopes.at(row, right)), by: cut(self.slopes.right) }
+    }
 }
 
 /// A number of 16 bits at one pixel: in 64 bits, 48 of them behind the point.
@@ -311,6 +366,11 @@ pub struct WordSlopes {
 pub struct Word {
     at: u64,
     by: u64,
+}
+
+impl Word {
+    /// Bits of the fraction.
+    const BITS: u32 = 48;
 }
 
 macro_rules! words {
@@ -322,30 +382,27 @@ macro_rules! words {
 
             #[inline(always)]
             fn slopes(facet: &Facet, corners: [Self; 3]) -> WordSlopes {
-                // D times the steps may be 2^48, and 3 % less, as the start has an excess of its own.
-                let reach = facet.times_in((1 << 48) - (1 << 43)).saturating_sub(1);
-                WordSlopes { slopes: Slopes::new(facet, corners.map(i64::from), false), reach }
+                WordSlopes::new(facet, corners.map(i32::from))
             }
 
             #[inline(always)]
             fn row(slopes: &WordSlopes, down: u32) -> NumberRow {
-                NumberRow(slopes.slopes.row(down))
+                NumberRow(slopes.row(down))
             }
 
             #[inline(always)]
             fn below(slopes: &WordSlopes, row: &mut NumberRow) {
-                row.0 += slopes.slopes.down;
+                slopes.below(&mut row.0);
             }
 
             #[inline(always)]
             fn run(slopes: &WordSlopes, row: &NumberRow, right: u32) -> Word {
-                let cut = |n: Mixed| n.cut(16).wrapping_add(1);
-                Word { at: cut(slopes.slopes.at(row.0, right)), by: cut(slopes.slopes.right) }
+                slopes.run(row.0, right)
             }
 
             #[inline(always)]
             fn value(run: &Word) -> Self {
-                let $n = low_u16(low_u32(run.at >> 48));
+                let $n = low_u16(low_u32(run.at >> Word::BITS));
                 $value
             }
 

@@ -134,22 +134,23 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// `2^bits n / d`, if the factor is below 2^63: not below it, and above it by less than `2 + 2^-30 |n|`, for an n below 2^30.
+    /// `2^bits n / d`, if the factor is below 2^63, and `more`: above the ratio by at least `more - 1 - 2^-30 |n|`, and by at most
+    /// `more + 2^-30 |n|`.
     ///
     /// The halves of the factor have 31 bits, as numbers with a sign are multiplied best. What is cut away is less than 3 of the
-    /// factor, and less than 1 of the product. So a product is not above the ratio, or below it, by more than `1 + 2^-30 |n|`.
+    /// factor, and less than 1 of the product.
     #[inline(always)]
-    pub(crate) fn ratio(self, n: i32) -> u64 {
+    pub(crate) fn ratio(self, n: i32, more: i64) -> u64 {
         let product = |half: u64| i64::from(n).wrapping_mul(i64::from(signed(low_u32(half))));
         let low = product((self.inverse & 0xffff_ffff) >> 1) >> 31;
-        product(self.inverse >> 32).wrapping_add(low).wrapping_add(2).cast_unsigned()
+        product(self.inverse >> 32).wrapping_add(low).wrapping_add(more).cast_unsigned()
     }
 
-    /// `2^(bits - 8) n / d` for an n below 2^41: not below it, and above it by less than 12.
+    /// `2^(bits - 8) n / d` and `more`: above the ratio by at least `more - 1 - 2^-39 |n|`, and by at most `more + 2^-39 |n|`.
     ///
     /// Of the product with n in two's complement, so many times 2^64 is taken off as n is negative.
     #[inline(always)]
-    pub(crate) fn wide_ratio(self, n: i64) -> u64 {
+    pub(crate) fn wide_ratio(self, n: i64, more: u64) -> u64 {
         let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
         let ((a1, a0), (b1, b0)) = (halves(n.cast_unsigned()), halves(self.inverse));
         // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
@@ -158,7 +159,7 @@ impl Scale {
         let high = a1.wrapping_mul(b1).wrapping_add(middle >> 32).wrapping_add(other >> 32);
         let less = (n >> 63).cast_unsigned() & self.inverse;
         let cut = high.wrapping_sub(less) << 24 | u64::from(low_u32(other) >> 8);
-        cut.wrapping_add(6)
+        cut.wrapping_add(more)
     }
 }
 
@@ -289,7 +290,7 @@ mod tests {
         let ends: std::vec::Vec<u64> = (0..42).flat_map(|b| [1 << b, (1 << b) + 1, (1_u64 << b) * 3 - 1]).collect();
         for &d in &ends {
             let Some(scale) = Divisor::new(d).scale(45).filter(|_| d > 1 << 14) else { continue };
-            for n in (0..41).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 / 2 - 1]).chain([0]) {
+            for n in (0..45).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 / 2 - 1]).chain([0]) {
                 for n in [n, -n] {
                     // got - 2^bits n / d, times d; of got, 64 bits are known.
                     let excess = |got: u64, bits: u32| {
@@ -297,12 +298,19 @@ mod tests {
                         let over = i128::from(got.wrapping_sub(exact.div_euclid(d.into()) as u64) as i64);
                         over * i128::from(d) - exact.rem_euclid(d.into())
                     };
-                    let wide = excess(scale.wide_ratio(n), 37);
-                    assert!((0..12 * i128::from(d)).contains(&wide), "2^37 {n} / {d}: {wide} / d too large");
-                    if let Some(narrow) = i32::try_from(n).ok().filter(|n| n.unsigned_abs() < 1 << 30) {
-                        let most = 2 * i128::from(d) + ((i128::from(d) * i128::from(n).abs()) >> 30);
-                        let narrow = excess(scale.ratio(narrow), 45);
-                        assert!((0..=most).contains(&narrow), "2^45 {n} / {d}: {narrow} / d too large");
+                    let d = i128::from(d);
+                    let part = |bits: u32| (d * i128::from(n).abs()) >> bits;
+                    let wide = excess(scale.wide_ratio(n, 9), 37);
+                    assert!(
+                        (8 * d - part(39) - 1..=9 * d + part(39)).contains(&wide),
+                        "2^37 {n} / {d}: {wide} / d too large"
+                    );
+                    if let Ok(narrow) = i32::try_from(n) {
+                        let narrow = excess(scale.ratio(narrow, 9), 45);
+                        assert!(
+                            (8 * d - part(30) - 1..=9 * d + part(30)).contains(&narrow),
+                            "2^45 {n} / {d}: {narrow} / d"
+                        );
                     }
                 }
             }

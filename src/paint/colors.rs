@@ -55,8 +55,8 @@ macro_rules! by_levels {
             }
 
             #[inline(always)]
-            fn go_on(slopes: &Self::Slopes, row: &Self::Row, run: &mut Self::Run, right: u32) {
-                <$levels>::go_on(slopes, row, run, right);
+            fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, right: u32, down: u32) {
+                <$levels>::go_on(slopes, run, right, down);
             }
 
             #[inline(always)]
@@ -126,7 +126,7 @@ pub struct LevelRun {
 
 impl Levels {
     /// Bits of a fraction.
-    const BITS: u32 = 37;
+    const BITS: u32 = Facet::SMALL_BITS;
     /// The lowest bit of each fraction.
     const PLACES: [u32; 3] = [44, 0, 86];
     /// What D times the number of steps may be, and 3 % less, as the start has an excess of its own.
@@ -147,11 +147,7 @@ impl LevelSlopes {
     fn new(facet: &Facet, [a, b, c]: [Levels; 3]) -> (Self, [u64; 3]) {
         let [Levels([a0, a1, a2]), Levels([b0, b1, b2]), Levels([c0, c1, c2])] = [a, b, c];
         let levels = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]];
-        // A step adds up to 2 units too much, and the first 6 of 10 more steps are for what the start has too much.
-        let Some(scale) = facet.small_scale(Levels::BITS, Levels::MOST >> 1) else {
-            return Self::apart(facet, levels);
-        };
-        let [a, b, c] = levels.map(|corners| facet.level_slopes(scale, corners, Levels::BITS));
+        let Some([a, b, c]) = facet.level_slopes(levels) else { return Self::apart(facet, levels) };
         let [(a0, a1, a2), (b0, b1, b2), (c0, c1, c2)] = [a, b, c].map(|[s, r, d]| (s, r, d));
         let right = [a1, b1, c1];
         (Self::Packed([[a0, b0, c0], right, [a2, b2, c2]].map(Levels::packed)), right)
@@ -241,10 +237,10 @@ impl Varying for Levels {
     }
 
     #[inline(always)]
-    fn go_on(slopes: &LevelSlopes, row: &LevelRow, run: &mut LevelRun, right: u32) {
+    fn go_on(slopes: &LevelSlopes, run: &mut LevelRun, right: u32, down: u32) {
         match *slopes {
             LevelSlopes::Apart(Apart { back, .. }) if back != 0 => run.at = run.at.wrapping_sub(back),
-            _ => *run = Self::run(slopes, row, right),
+            _ => *run = Self::run(slopes, &Self::row(slopes, down), right),
         }
     }
 
@@ -294,6 +290,16 @@ impl FastRun {
     const BITS: u32 = 16;
     /// The lowest bit of each fraction.
     const PLACES: [u32; 3] = [22, 0, 43];
+
+    /// Levels with a shorter fraction.
+    #[inline(always)]
+    fn cut(at: u128) -> u64 {
+        let part = |(from, to): (u32, u32), mask: u64| {
+            (low_u64(at >> from.wrapping_add(Levels::BITS - Self::BITS)) & mask) << to
+        };
+        let ([a, b, c], [p, q, r]) = (Levels::PLACES, Self::PLACES);
+        part((a, p), (1 << 21) - 1) | part((b, q), (1 << 22) - 1) | part((c, r), (1 << 21) - 1)
+    }
 }
 
 impl Varying for Fast<Levels> {
@@ -326,14 +332,7 @@ impl Varying for Fast<Levels> {
 
     #[inline(always)]
     fn run(slopes: &FastSlopes, row: &LevelRow, right: u32) -> FastRun {
-        let start = Levels::run(&slopes.levels, row, right).at;
-        let less = Levels::BITS - FastRun::BITS;
-        let part = |n: usize, mask: u64| {
-            let (from, to) = (Levels::PLACES.get(n), FastRun::PLACES.get(n));
-            let (from, to) = (from.copied().unwrap_or_default(), to.copied().unwrap_or_default());
-            (low_u64(start >> from.wrapping_add(less)) & mask) << to
-        };
-        FastRun { at: part(0, (1 << 21) - 1) | part(1, (1 << 22) - 1) | part(2, (1 << 21) - 1), by: slopes.by }
+        FastRun { at: FastRun::cut(Levels::run(&slopes.levels, row, right).at), by: slopes.by }
     }
 
     #[inline(always)]

@@ -92,34 +92,53 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
     where
         F: FnMut(V, Z::Number) -> Option<S::Color>,
     {
-        let Self { depth, rows, passes, writes, color } = self;
-        let (Some((span, mut cells)), writes) = (depth.cells(span), *writes) else { return };
-        rows.go_to(span.y());
-        let mut run = rows.run(span.x0());
-        span.parts(rows.reach(), |part| {
-            let Some((row, rest)) = core::mem::take(&mut cells).split_at_mut_checked(part.len() as usize) else {
-                return;
-            };
-            cells = rest;
+        // Where there are no depths, nothing is painted.
+        let Some(span) = span.again(self.depth.window()) else { return };
+        self.rows.go_to(span.y());
+        if span.len() > self.rows.reach() {
+            return self.parts(on, span);
+        }
+        let mut run = self.rows.run(span.x0());
+        self.part(on, span, &mut run);
+    }
+
+    /// The same for a row in which a run is not right to its end.
+    #[inline(never)]
+    fn parts<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V, Z::Number) -> Option<S::Color>,
+    {
+        let mut run = self.rows.run(span.x0());
+        span.parts(self.rows.reach(), |part| {
             if part.x0() != span.x0() {
-                rows.go_on(&mut run, part.x0());
+                self.rows.go_on(&mut run, part.x0(), part.y());
             }
-            let (mut at, mut row) = (run, row.iter_mut());
-            on.write_inside(Inside(Said::Span(part)), |_| {
-                let (z, values) = (Z::Number::value(&at.0), at.1);
-                <(Z::Number, V)>::step(&mut at);
-                let cell = row.next()?;
-                if !passes(&z, &Z::load(*cell)) {
-                    return None;
-                }
-                let color = color(V::value(&values), z)?;
+            self.part(on, part, &mut run);
+        });
+    }
+
+    /// Paints pixels from a run on.
+    #[inline(always)]
+    fn part<S: Surface>(&mut self, on: &mut S, part: ClippedSpan, run: &mut (<Z::Number as Varying>::Run, V::Run))
+    where
+        F: FnMut(V, Z::Number) -> Option<S::Color>,
+    {
+        let Self { depth, passes, writes, color, .. } = self;
+        let (Some(cells), writes, mut at) = (depth.cells(part), *writes, *run) else { return };
+        let mut cells = cells.iter_mut();
+        on.write_inside(Inside(Said::Span(part)), |_| {
+            let z = Z::Number::value(&at.0);
+            let painted = cells.next().filter(|cell| passes(&z, &Z::load(**cell))).and_then(|cell| {
+                let color = color(V::value(&at.1), z)?;
                 if writes {
                     *cell = Z::store(z);
                 }
                 Some(color)
             });
-            run = at;
+            <(Z::Number, V)>::step(&mut at);
+            painted
         });
+        *run = at;
     }
 }
 

@@ -55,7 +55,7 @@ impl<V: Varying, F> Shade<V, F> {
         let mut run = rows.run(span.x0());
         span.parts(rows.reach(), |part| {
             if part.x0() != span.x0() {
-                rows.go_on(&mut run, part.x0());
+                rows.go_on(&mut run, part.x0(), part.y());
             }
             let mut at = run;
             on.write_span_inside(Inside(Said::Span(part)), |_| {
@@ -102,7 +102,7 @@ impl<V: Varying, F> ShadeSome<V, F> {
         let mut run = rows.run(span.x0());
         span.parts(rows.reach(), |part| {
             if part.x0() != span.x0() {
-                rows.go_on(&mut run, part.x0());
+                rows.go_on(&mut run, part.x0(), part.y());
             }
             let mut at = run;
             on.write_inside(Inside(Said::Span(part)), |_| {

@@ -59,15 +59,14 @@ depth!(Depth16, u16, 2);
 depth!(Depth32, u32, 4);
 
 impl<M: AsMut<[u8]>, Z: Depth> Frame<M, Rows<Z>> {
-    /// The part of a span that the window has, and the places of its depths.
+    /// The places of the depths of a span that lies in the window.
     #[inline(always)]
-    pub(crate) fn cells(&mut self, span: ClippedSpan) -> Option<(ClippedSpan, &mut [Z::Cell])> {
-        let span = self.again(span)?;
+    pub(crate) fn cells(&mut self, span: ClippedSpan) -> Option<&mut [Z::Cell]> {
         let (y, (x0, x1)) = (self.y(span.y()), self.columns(span));
         let (memory, grid) = self.write();
         let (row, size) = (y.wrapping_mul(grid.stride), size_of::<Z::Cell>());
         let bytes = row.wrapping_add(x0.wrapping_mul(size))..row.wrapping_add(x1.wrapping_mul(size));
         let (_, cells, _) = bytemuck::pod_align_to_mut::<u8, Z::Cell>(memory.get_mut(bytes)?);
-        Some((span, cells))
+        Some(cells)
     }
 }
