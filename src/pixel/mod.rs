@@ -19,6 +19,7 @@
 //!
 //! A format of your own is a colour type of your own: implement `PixelColor` for it, and conversions from and to its raw data.
 
+mod channels;
 mod color;
 mod format;
 mod levels;
@@ -26,6 +27,7 @@ mod palette;
 pub(crate) mod rows;
 
 pub use self::{
+    channels::Channels,
     color::{Depth16, Depth32, Id16, Id32, Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888},
     format::{buffer_bytes, row_bytes, Be, Lsb0, PixelFormat},
     palette::{Palette, EGA},

@@ -16,6 +16,7 @@ mod packed12;
 mod pages;
 mod planes;
 mod rows;
+mod texture;
 mod traits;
 
 pub(crate) use self::traits::{Inside, Said};
@@ -28,5 +29,6 @@ pub use self::{
     pages::{paged_bytes, Paged, Pages},
     planes::Planes,
     rows::{Bitmap, Framebuffer, Rows},
+    texture::{Outside, Texture},
     traits::{Readable, Surface},
 };

@@ -30,6 +30,7 @@ pub mod rounds;
 pub mod scenes;
 mod shapes;
 pub mod strokes;
+pub mod textures;
 pub mod tools;
 pub mod watched;
 

@@ -1,0 +1,59 @@
+//! [`Channels`]: colours whose channels are numbers, so that they can be mixed.
+
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
+};
+
+use super::color::{Rgb332, Rgb444, Xrgb8888};
+use crate::num::cast::low_u8;
+
+/// A colour of red, green and blue, or a grey: what can be mixed, channel by channel. An index is none.
+pub trait Channels: PixelColor {
+    /// The colour each of whose channels is what `mix` makes of that channel of some colours. Of its answer the low bits count, as
+    /// many as the channel has.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Rgb565;
+    /// use embedded_raster::pixel::Channels;
+    /// let brighter = |[a, b]: [u8; 2]| a.max(b);
+    /// let colors = [Rgb565::new(1, 20, 31), Rgb565::new(2, 10, 31)];
+    /// assert_eq!(Rgb565::mixed(colors, brighter), Rgb565::new(2, 20, 31));
+    /// ```
+    fn mixed<const N: usize>(colors: [Self; N], mix: impl FnMut([u8; N]) -> u8) -> Self;
+
+    /// The colour that is `level` of 255 parts on the way from one colour to another: of each channel the nearest level.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Gray4, Rgb565, RgbColor};
+    /// use embedded_raster::pixel::Channels;
+    /// assert_eq!(Rgb565::between([Rgb565::BLACK, Rgb565::WHITE], 128), Rgb565::new(16, 32, 16));
+    /// assert_eq!(Gray4::between([Gray4::new(15), Gray4::new(5)], 255), Gray4::new(5));
+    /// ```
+    #[inline]
+    fn between(ends: [Self; 2], level: u8) -> Self {
+        // No mean is half way between two levels: 255 is odd.
+        let (after, before) = (u32::from(level), u32::from(!level));
+        Self::mixed(ends, |[a, b]| {
+            let sum = u32::from(a).wrapping_mul(before).wrapping_add(u32::from(b).wrapping_mul(after));
+            low_u8(sum.wrapping_add(127) / 255)
+        })
+    }
+}
+
+macro_rules! channels {
+    ($($color:ty),*: |$mix:ident, $colors:ident| $mixed:expr) => {
+        $(impl Channels for $color {
+            #[inline(always)]
+            fn mixed<const N: usize>($colors: [Self; N], mut $mix: impl FnMut([u8; N]) -> u8) -> Self {
+                $mixed
+            }
+        })*
+    };
+}
+
+channels!(
+    Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888, Xrgb8888: |mix, colors| {
+        let [r, g, b] = [Self::r, Self::g, Self::b].map(|channel| mix(colors.each_ref().map(channel)));
+        Self::new(r, g, b)
+    }
+);
+channels!(Gray2, Gray4, Gray8: |mix, colors| Self::new(mix(colors.each_ref().map(Self::luma))));
