@@ -20,8 +20,8 @@
 //!
 //! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
 //! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
-//! does not leave the range of the corners either. Of an `I16F16` whole bits are added: it is off by at most n and a half of
-//! them, which is `n 2^-16` too.
+//! does not leave the range of the corners either. Of two `I16F16`, a place in a texture, whole bits are added: both are off
+//! by at most n and a half of them, which is `n 2^-16` too.
 //!
 //! Sources: J. Foley, A. van Dam, S. Feiner, J. Hughes, "Computer Graphics: Principles and Practice", 2nd edition, 1990, 16.2
 //! (H. Gouraud's shading, 1971, row by row).
@@ -559,48 +559,74 @@ fast! {
     i16, |n| low_i16(signed(n));
 }
 
-/// A number of 32 bits at one pixel, and what is added to it.
+/// Two numbers of 32 bits at one pixel as one of 64, and what is added to it: the first one, and `2^32` times the second.
+///
+/// So the high word is the second number, or one less where the first is negative. The compiler would count two numbers four times,
+/// once for each pixel of a turn of the loop, and there are not enough registers.
 #[derive(Copy, Clone, Debug)]
-pub struct Whole {
-    at: i32,
-    by: i32,
+pub struct Pair {
+    at: u64,
+    by: u64,
 }
 
-impl Varying for Fast<I16F16> {
-    type Slopes = Slopes;
-    type Row = NumberRow;
-    type Run = Whole;
-
+impl Pair {
     #[inline(always)]
-    fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
-        Slopes::new(facet, corners.map(|n| n.0.to_bits().into()), true)
+    pub(crate) fn new([first, second]: [i32; 2], [first_by, second_by]: [i32; 2]) -> Self {
+        let join = |low: i32, high: i32| i64::from(high).wrapping_shl(32).wrapping_add(low.into()).cast_unsigned();
+        Self { at: join(first, second), by: join(first_by, second_by) }
     }
 
     #[inline(always)]
-    fn row(slopes: &Slopes, down: u32) -> NumberRow {
-        NumberRow(slopes.row(down))
+    pub(crate) fn value(self) -> [i32; 2] {
+        let (low, high) = (low_u32(self.at), low_u32(self.at >> 32));
+        [signed(low), signed(high.wrapping_add(low >> 31))]
     }
 
     #[inline(always)]
-    fn below(slopes: &Slopes, row: &mut NumberRow) {
-        row.0 += slopes.down;
+    pub(crate) fn step(&mut self) {
+        self.at = self.at.wrapping_add(self.by);
+    }
+}
+
+impl Varying for Fast<(I16F16, I16F16)> {
+    type Slopes = [Slopes; 2];
+    type Row = [NumberRow; 2];
+    type Run = Pair;
+
+    #[inline(always)]
+    fn slopes(facet: &Facet, corners: [Self; 3]) -> [Slopes; 2] {
+        let of = |number: fn(Self) -> I16F16| Slopes::new(facet, corners.map(|n| number(n).to_bits().into()), true);
+        [of(|n| n.0 .0), of(|n| n.0 .1)]
     }
 
     #[inline(always)]
-    fn run(slopes: &Slopes, row: &NumberRow, right: u32) -> Whole {
-        let by = slopes.right.whole;
+    fn row([first, second]: &[Slopes; 2], down: u32) -> [NumberRow; 2] {
+        [NumberRow(first.row(down)), NumberRow(second.row(down))]
+    }
+
+    #[inline(always)]
+    fn below([first, second]: &[Slopes; 2], [first_row, second_row]: &mut [NumberRow; 2]) {
+        first_row.0 += first.down;
+        second_row.0 += second.down;
+    }
+
+    #[inline(always)]
+    fn run([first, second]: &[Slopes; 2], [first_row, second_row]: &[NumberRow; 2], right: u32) -> Pair {
         // Towards zero, as above.
-        Whole { at: slopes.at(row.0, right).whole, by: by.wrapping_add((by < 0).into()) }
+        let by = |slopes: &Slopes| slopes.right.whole.wrapping_add((slopes.right.whole < 0).into());
+        let at = [first.at(first_row.0, right).whole, second.at(second_row.0, right).whole];
+        Pair::new(at, [by(first), by(second)])
     }
 
     #[inline(always)]
-    fn value(run: &Whole) -> Self {
-        Self(I16F16::from_bits(run.at))
+    fn value(run: &Pair) -> Self {
+        let [first, second] = run.value();
+        Self((I16F16::from_bits(first), I16F16::from_bits(second)))
     }
 
     #[inline(always)]
-    fn step(run: &mut Whole) {
-        run.at = run.at.wrapping_add(run.by);
+    fn step(run: &mut Pair) {
+        run.step();
     }
 }
 

@@ -16,7 +16,7 @@ mod packed12;
 mod pages;
 mod planes;
 mod rows;
-mod texture;
+pub mod texture;
 mod traits;
 
 pub(crate) use self::traits::{Inside, Said};
@@ -29,6 +29,6 @@ pub use self::{
     pages::{paged_bytes, Paged, Pages},
     planes::Planes,
     rows::{Bitmap, Framebuffer, Rows},
-    texture::{Outside, Texture},
+    texture::Texture,
     traits::{Readable, Surface},
 };

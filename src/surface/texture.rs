@@ -7,7 +7,7 @@
 //! - **Bilinear.** The mean of the four texels whose centres are around the place, each weighted by how near it is in u, times how
 //!   near it is in v. Each channel is the nearest level to the exact mean, halves upwards. At the centre of a texel that is its
 //!   own colour.
-//! - **Outside** of the picture the rule of each axis says which texel stands there: see [`Outside`].
+//! - **Outside** of the picture each axis has a rule, an [`Outside`]: [`Clamp`], [`Repeat`], [`Mirror`] or [`Tile`].
 //!
 //! Sources: E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", 1974 (textures); P. Heckbert, "Survey of
 //! Texture Mapping", IEEE Computer Graphics and Applications 6, 1986.
@@ -19,37 +19,22 @@ use fixed::types::I16F16;
 use super::{frame::Frame, layout::Layout};
 use crate::{
     num::{
-        cast::{low_u32, low_u8, signed, unsigned},
+        cast::{index, low_u32, low_u8, signed, unsigned},
         recip::Divisor,
     },
     pixel::{Channels, Palette},
 };
 
-/// What is there where a picture or a gradient has ended.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Outside {
-    /// Its last column or row, its last colour.
-    #[default]
-    Clamp,
-    /// It begins anew.
-    Repeat,
-    /// It goes back and forth. The last one is there twice.
-    Mirror,
-}
-
 /// A picture to take colours from, at any place: see the [module](self). A place is (u, v), in texels to the right and down.
 ///
-/// Any [`Frame`] that can be read is one. Its coordinates are those of the frame; where the window of the frame ends, the picture
-/// does. So a tile of a sheet is a [`view`](Frame::view) of it.
-///
-/// Widths and heights may be any. To repeat a picture is fastest where both are powers of two and it is all that is in memory.
+/// Any [`Frame`] that can be read is one, or what its window shows of it: the top left corner of the window is at (0, 0). So a tile
+/// of a sheet is a [`view`](Frame::view) of it. Widths and heights may be any.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Gray8;
-/// use embedded_raster::{surface::{Outside, Texture}, Bitmap, Canvas, Framebuffer, PointFx};
+/// use embedded_raster::{surface::texture::{Repeat, Texture}, Bitmap, Canvas, Framebuffer, PointFx};
 /// use fixed::types::I16F16;
 /// let picture = Bitmap::<Gray8>::new(&[10, 20, 30, 40], 2, 2)?;
-/// let texture = Texture::new(&picture, [Outside::Repeat; 2]).expect("it has texels");
+/// let texture = Texture::new(&picture, (Repeat, Repeat)).expect("it has texels");
 /// let at = |u: f32, v: f32| (I16F16::from_num(u), I16F16::from_num(v));
 /// let (u, v) = at(1.25, 0.5);
 /// assert_eq!(texture.nearest(u, v), Gray8::new(20));
@@ -63,52 +48,44 @@ pub enum Outside {
 /// assert_eq!(ram, [10, 10, 20, 0, 10, 10, 0, 0, 30, 0, 0, 0, 0, 0, 0, 0]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
-pub struct Texture<'a, L> {
+pub struct Texture<'a, L, U: Outside, V: Outside> {
     picture: Frame<&'a [u8], L>,
-    u: Axis,
-    v: Axis,
-    /// Both axes repeat by masks, and the picture begins where the memory does.
-    by_masks: bool,
+    u: U::Axis,
+    v: V::Axis,
 }
 
-impl<L> Copy for Texture<'_, L> {}
+impl<L, U: Outside, V: Outside> Copy for Texture<'_, L, U, V> {}
 
-impl<L> Clone for Texture<'_, L> {
+impl<L, U: Outside, V: Outside> Clone for Texture<'_, L, U, V> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
 /// Prints the sizes, not the texels.
-impl<L> fmt::Debug for Texture<'_, L> {
+impl<L, U: Outside, V: Outside> fmt::Debug for Texture<'_, L, U, V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { picture, u, v, .. } = self;
-        f.debug_struct("Texture").field("picture", picture).field("u", &u.outside).field("v", &v.outside).finish()
+        f.debug_struct("Texture").field("picture", &self.picture).field("u", &self.u).field("v", &self.v).finish()
     }
 }
 
-impl<'a, L: Layout> Texture<'a, L> {
-    /// A picture, and what lies outside of it: to the left and right, and above and below. `None` if it has no texels.
-    pub fn new<M: AsRef<[u8]>>(picture: &'a Frame<M, L>, [u, v]: [Outside; 2]) -> Option<Self> {
+impl<'a, L: Layout, U: Outside, V: Outside> Texture<'a, L, U, V> {
+    /// A picture, and what lies outside of it: to the left and right, and above and below.
+    ///
+    /// `None` if it has no texels, or if it is none that can be a [`Tile`].
+    pub fn new<M: AsRef<[u8]>>(picture: &'a Frame<M, L>, _: (U, V)) -> Option<Self> {
         let picture = picture.as_bitmap();
         let window = picture.window();
         let (width, height) = (NonZeroU32::new(window.width())?, NonZeroU32::new(window.height())?);
-        let is_whole = (window.x0, window.y0) == (0, 0) && picture.place(0, 0) == (0, 0);
-        let (u, v) = (Axis::new(window.x0, width, u), Axis::new(window.y0, height, v));
-        let by_masks = is_whole && u.is_masked() && v.is_masked();
-        Some(Self { picture, u, v, by_masks })
+        let (x, y) = picture.place(window.x0, window.y0);
+        Some(Self { picture, u: U::axis(x, width)?, v: V::axis(y, height)? })
     }
 
-    /// The texel in a column and a row, which may lie outside. Less than 2^17 each, be it negative or not.
+    /// The texel in a column and a row, which may lie outside. Less than 2^16 each, be it negative or not.
     #[inline(always)]
     fn texel(&self, i: i32, j: i32) -> L::Color {
         let (memory, grid) = self.picture.read();
-        let place = if self.by_masks {
-            ((unsigned(i) & self.u.mask) as usize, (unsigned(j) & self.v.mask) as usize)
-        } else {
-            self.picture.place(self.u.inside(i), self.v.inside(j))
-        };
-        L::get(memory, grid, place)
+        L::get(memory, grid, (U::place(&self.u, i), V::place(&self.v, j)))
     }
 
     /// The texel that contains a place.
@@ -127,10 +104,10 @@ impl<'a, L: Layout> Texture<'a, L> {
     /// [`nearest`](Self::nearest) of a picture of indices, through a palette. `None` where the palette has no such index.
     /// ```
     /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
-    /// use embedded_raster::{pixel::EGA, surface::{Outside, Texture}, Bitmap, Index4, Palette};
+    /// use embedded_raster::{pixel::EGA, surface::texture::{Mirror, Texture}, Bitmap, Index4, Palette};
     /// use fixed::types::I16F16;
     /// let picture = Bitmap::<Index4>::new(&[0x4f], 2, 1)?;
-    /// let texture = Texture::new(&picture, [Outside::Mirror; 2]).expect("it has texels");
+    /// let texture = Texture::new(&picture, (Mirror, Mirror)).expect("it has texels");
     /// let palette: Palette<Rgb565, 16> = EGA.map(Rgb565::from);
     /// let color = texture.nearest_through(I16F16::from_num(-0.5), I16F16::ZERO, &palette);
     /// assert_eq!(color, Some(Rgb565::from(Rgb888::new(170, 0, 0))));
@@ -214,15 +191,75 @@ fn mean<C: Channels>(colors: [C; 4], (right, down): (u32, u32)) -> C {
     })
 }
 
-/// The columns or the rows of a picture.
+/// What is there where a picture has ended. A type, so that a program has the code of what it uses only.
+pub trait Outside: Copy {
+    /// What is known of the columns or the rows of a picture.
+    type Axis: Copy + fmt::Debug;
+
+    /// Of so many, from a place in memory on.
+    #[doc(hidden)]
+    fn axis(start: usize, size: NonZeroU32) -> Option<Self::Axis>;
+
+    /// Where in memory number i is, which may lie outside: less than 2^16, be it negative or not.
+    #[doc(hidden)]
+    fn place(axis: &Self::Axis, i: i32) -> usize;
+}
+
+/// The last column or row goes on for ever.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Clamp;
+
+/// The picture begins anew.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Repeat;
+
+/// The picture goes back and forth. The last column or row is there twice.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mirror;
+
+/// [`Repeat`], fastest: for a picture whose size is a power of two, and which begins in the first column and row in memory.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tile;
+
+/// Where columns or rows lie in memory, and the last one.
 #[derive(Copy, Clone, Debug)]
-struct Axis {
-    outside: Outside,
-    first: i32,
-    /// The number of the last one, counted from the first.
-    last: u32,
-    /// The last one, if their number is a power of two; else 0.
-    mask: u32,
+pub struct Ends {
+    start: usize,
+    last: i32,
+}
+
+impl Outside for Clamp {
+    type Axis = Ends;
+
+    #[inline]
+    fn axis(start: usize, size: NonZeroU32) -> Option<Ends> {
+        Some(Ends { start, last: signed(size.get().wrapping_sub(1)) })
+    }
+
+    #[inline(always)]
+    fn place(axis: &Ends, i: i32) -> usize {
+        axis.start.wrapping_add(index(i.min(axis.last).max(0)))
+    }
+}
+
+impl Outside for Tile {
+    type Axis = u32;
+
+    #[inline]
+    fn axis(start: usize, size: NonZeroU32) -> Option<u32> {
+        (start == 0 && size.is_power_of_two()).then(|| size.get().wrapping_sub(1))
+    }
+
+    #[inline(always)]
+    fn place(mask: &u32, i: i32) -> usize {
+        (unsigned(i) & mask) as usize
+    }
+}
+
+/// What repeats.
+#[derive(Copy, Clone, Debug)]
+pub struct Period {
+    start: usize,
     /// After how many they come again.
     period: u32,
     /// A multiple of the period, from 2^17 to 2^18.
@@ -235,51 +272,51 @@ struct Axis {
     shift: u32,
 }
 
-impl Axis {
-    fn new(first: i32, size: NonZeroU32, outside: Outside) -> Self {
-        let last = size.get().wrapping_sub(1);
-        let period = if outside == Outside::Mirror { NonZeroU32::new(size.get() << 1).unwrap_or(size) } else { size };
+impl Period {
+    /// Of at most 2^17.
+    fn new(start: usize, period: NonZeroU32) -> Self {
         let shift = 31_u32.wrapping_sub(period.leading_zeros());
         let divisor = Divisor::new(period);
         let (inverse, _) = divisor.div_rem(1 << 31_u32.wrapping_add(shift));
-        let (times, _) = divisor.div_rem((1 << 17) + u64::from(period.get()));
-        Self {
-            outside,
-            first,
-            last,
-            mask: if size.is_power_of_two() { last } else { 0 },
-            period: period.get(),
-            bias: times.wrapping_mul(period.get()),
-            inverse: inverse.wrapping_add(1),
-            shift,
-        }
-    }
-
-    /// Whether a mask is all that it takes to repeat.
-    fn is_masked(&self) -> bool {
-        self.outside == Outside::Repeat && self.mask == self.last
-    }
-
-    /// The one that stands in the place of number i, which may lie outside. `i - first` is less than 2^17, be it negative or not.
-    #[inline(always)]
-    fn inside(&self, i: i32) -> i32 {
-        let at = i.wrapping_sub(self.first);
-        let at = match self.outside {
-            Outside::Clamp => unsigned(at.clamp(0, signed(self.last))),
-            Outside::Repeat => self.rest(at),
-            Outside::Mirror => {
-                let at = self.rest(at);
-                at.min(self.period.wrapping_sub(1).wrapping_sub(at))
-            }
-        };
-        self.first.wrapping_add(signed(at))
+        let (times, _) = divisor.div_rem(u64::from(period.get()).wrapping_add(1 << 17));
+        let period = period.get();
+        Self { start, period, bias: times.wrapping_mul(period), inverse: inverse.wrapping_add(1), shift }
     }
 
     /// The rest of a division by the period.
     #[inline(always)]
-    fn rest(&self, at: i32) -> u32 {
-        let n = unsigned(at).wrapping_add(self.bias);
+    fn rest(&self, i: i32) -> u32 {
+        let n = unsigned(i).wrapping_add(self.bias);
         let product = u64::from(n << 1).wrapping_mul(self.inverse.into());
-        n.wrapping_sub((low_u32(product >> 32) >> self.shift).wrapping_mul(self.period))
+        n.wrapping_sub((low_u32(product >> 32) >> (self.shift & 31)).wrapping_mul(self.period))
+    }
+}
+
+impl Outside for Repeat {
+    type Axis = Period;
+
+    #[inline]
+    fn axis(start: usize, size: NonZeroU32) -> Option<Period> {
+        Some(Period::new(start, size))
+    }
+
+    #[inline(always)]
+    fn place(axis: &Period, i: i32) -> usize {
+        axis.start.wrapping_add(axis.rest(i) as usize)
+    }
+}
+
+impl Outside for Mirror {
+    type Axis = Period;
+
+    #[inline]
+    fn axis(start: usize, size: NonZeroU32) -> Option<Period> {
+        Some(Period::new(start, size.saturating_add(size.get())))
+    }
+
+    #[inline(always)]
+    fn place(axis: &Period, i: i32) -> usize {
+        let at = axis.rest(i);
+        axis.start.wrapping_add(at.min(axis.period.wrapping_sub(1).wrapping_sub(at)) as usize)
     }
 }

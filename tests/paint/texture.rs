@@ -7,7 +7,10 @@ use embedded_graphics_core::{
 use embedded_raster::{
     geom::Fast,
     pixel::{Be, Channels, Lsb0, Rgb444},
-    surface::{Grid, Outside, Packed12, Pages, Planes, Rows, Texture},
+    surface::{
+        texture::{Clamp, Mirror, Outside, Repeat, Texture, Tile},
+        Grid, Packed12, Pages, Planes, Rows,
+    },
     Canvas, Frame, Framebuffer, Index2, Index4, Index8, Layout, Palette, PixelFormat, PointFx, Rect,
 };
 use fixed::types::I16F16;
@@ -16,8 +19,6 @@ use twins::{
     rng::{cases, Rng},
     textures, triangle_has,
 };
-
-const OUTSIDE: [Outside; 3] = [Outside::Clamp, Outside::Repeat, Outside::Mirror];
 
 /// Sizes that are powers of two, and others.
 const SIZES: [(u16, u16); 8] = [(1, 1), (2, 4), (8, 8), (64, 1), (3, 5), (7, 16), (37, 21), (1, 300)];
@@ -39,7 +40,7 @@ fn place(rng: &mut Rng, size: u16) -> i32 {
 fn each_place<L: Layout>(
     seed: u64,
     color: impl Fn(u32) -> L::Color,
-    mut check: impl FnMut(&Texture<'_, L>, (i32, i32), &dyn Fn(i64, i64) -> L::Color, &mut Rng),
+    mut check: impl FnMut(&dyn Sample<L>, (i32, i32), &dyn Fn(i64, i64) -> L::Color, &mut Rng),
 ) {
     let mut rng = Rng::new(seed);
     for (round, (width, height)) in (0..cases(6)).flat_map(|round| SIZES.map(move |size| (round, size))) {
@@ -56,23 +57,87 @@ fn each_place<L: Layout>(
             frame.draw_point(at, color(rng.bits() as u32));
         }
         let all = Frame::<_, L>::new(&ram[..], outer.0, outer.1).unwrap();
-        let (picture, origin) = match round % 3 {
-            1 => (all.view(part), (0, 0)),
-            _ => (all.clipped(part), (part.x0, part.y0)),
-        };
-        for edges in OUTSIDE.into_iter().flat_map(|u| OUTSIDE.map(|v| [u, v])) {
-            let texture = Texture::new(&picture, edges).unwrap();
-            let kind = edges.map(|edge| OUTSIDE.iter().position(|&e| e == edge).unwrap());
+        let picture = if round % 3 == 1 { all.view(part) } else { all.clipped(part) };
+        let mut with = |texture: Option<&dyn Sample<L>>, kind: [usize; 2]| {
+            let Some(texture) = texture else { return };
             let texel = |i: i64, j: i64| {
-                let x = textures::column(i - i64::from(origin.0), width.into(), kind[0]) as i32;
-                let y = textures::column(j - i64::from(origin.1), height.into(), kind[1]) as i32;
+                let x = textures::column(i, width.into(), kind[0]) as i32;
+                let y = textures::column(j, height.into(), kind[1]) as i32;
                 all.get(Point::new(part.x0 + x, part.y0 + y)).unwrap()
             };
             for _ in 0..cases(300) {
                 let at = (place(&mut rng, width), place(&mut rng, height));
-                check(&texture, at, &texel, &mut rng);
+                check(texture, at, &texel, &mut rng);
             }
+        };
+        fn some<T: Sample<L>, L: Layout>(texture: &Option<T>) -> Option<&dyn Sample<L>> {
+            texture.as_ref().map(|texture| texture as &dyn Sample<L>)
         }
+        let tile = Texture::new(&picture, (Tile, Tile));
+        let is_tile = width.is_power_of_two() && height.is_power_of_two() && round % 3 == 0;
+        assert_eq!(tile.is_some(), is_tile, "{width} x {height}");
+        with(some(&tile), [1, 1]);
+        with(some(&Texture::new(&picture, (Clamp, Clamp))), [0, 0]);
+        with(some(&Texture::new(&picture, (Repeat, Repeat))), [1, 1]);
+        with(some(&Texture::new(&picture, (Mirror, Mirror))), [2, 2]);
+        with(some(&Texture::new(&picture, (Clamp, Repeat))), [0, 1]);
+        with(some(&Texture::new(&picture, (Repeat, Mirror))), [1, 2]);
+    }
+}
+
+/// A texture of any kind.
+trait Sample<L: Layout>: core::fmt::Debug {
+    fn nearest(&self, at: (i32, i32)) -> L::Color;
+    fn nearest_keyed(&self, at: (i32, i32), key: L::Color) -> Option<L::Color>;
+    fn bilinear(&self, at: (i32, i32)) -> L::Color
+    where
+        L::Color: Channels;
+    fn bilinear_keyed(&self, at: (i32, i32), key: L::Color) -> Option<L::Color>
+    where
+        L::Color: Channels;
+    fn nearest_through(&self, at: (i32, i32), palette: &Palette<Rgb565, 11>) -> Option<Rgb565>
+    where
+        L::Color: Into<u8>;
+    fn bilinear_through(&self, at: (i32, i32), palette: &Palette<Rgb565, 11>) -> Option<Rgb565>
+    where
+        L::Color: Into<u8>;
+}
+
+impl<L: Layout, U: Outside, V: Outside> Sample<L> for Texture<'_, L, U, V> {
+    fn nearest(&self, at: (i32, i32)) -> L::Color {
+        self.nearest(fixed(at).0, fixed(at).1)
+    }
+
+    fn nearest_keyed(&self, at: (i32, i32), key: L::Color) -> Option<L::Color> {
+        self.nearest_keyed(fixed(at).0, fixed(at).1, key)
+    }
+
+    fn bilinear(&self, at: (i32, i32)) -> L::Color
+    where
+        L::Color: Channels,
+    {
+        self.bilinear(fixed(at).0, fixed(at).1)
+    }
+
+    fn bilinear_keyed(&self, at: (i32, i32), key: L::Color) -> Option<L::Color>
+    where
+        L::Color: Channels,
+    {
+        self.bilinear_keyed(fixed(at).0, fixed(at).1, key)
+    }
+
+    fn nearest_through(&self, at: (i32, i32), palette: &Palette<Rgb565, 11>) -> Option<Rgb565>
+    where
+        L::Color: Into<u8>,
+    {
+        self.nearest_through(fixed(at).0, fixed(at).1, palette)
+    }
+
+    fn bilinear_through(&self, at: (i32, i32), palette: &Palette<Rgb565, 11>) -> Option<Rgb565>
+    where
+        L::Color: Into<u8>,
+    {
+        self.bilinear_through(fixed(at).0, fixed(at).1, palette)
     }
 }
 
@@ -85,12 +150,11 @@ where
     L::Color: PixelColor + core::fmt::Debug,
 {
     each_place::<L>(seed, &color, |texture, at, texel, rng| {
-        let (u, v) = fixed(at);
         let wanted = texel((at.0 >> 16).into(), (at.1 >> 16).into());
-        assert_eq!(texture.nearest(u, v), wanted, "{at:?} of {texture:?}");
+        assert_eq!(texture.nearest(at), wanted, "{at:?} of {texture:?}");
         let key = color(rng.bits() as u32);
         let keyed = (wanted != key).then_some(wanted);
-        assert_eq!(texture.nearest_keyed(u, v, key), keyed, "{at:?} of {texture:?} without {key:?}");
+        assert_eq!(texture.nearest_keyed(at, key), keyed, "{at:?} of {texture:?} without {key:?}");
     });
 }
 
@@ -116,11 +180,10 @@ where
     L::Color: Channels + core::fmt::Debug,
 {
     each_place::<L>(seed, &color, |texture, at, texel, rng| {
-        let (u, v) = fixed(at);
         let (wide_u, wide_v) = (i64::from(at.0), i64::from(at.1));
         let here = texel((at.0 >> 16).into(), (at.1 >> 16).into());
         let key = if rng.one_in(4) { here } else { texel(rng.range(-9, 9), rng.range(-9, 9)) };
-        let (plain, keyed) = (texture.bilinear(u, v), texture.bilinear_keyed(u, v, key));
+        let (plain, keyed) = (texture.bilinear(at), texture.bilinear_keyed(at, key));
         assert_eq!(keyed.is_none(), here == key, "{at:?} of {texture:?}");
         for channel in channels {
             let level = |i, j| i128::from(channel(&texel(i, j)));
@@ -156,10 +219,9 @@ fn indices_are_mixed_as_colors() {
         31,
         |n| Index4::new(n as u8),
         |texture, at, texel, _| {
-            let (u, v) = fixed(at);
             let color = |i, j| palette.get(texel(i, j).index());
             let here = color((at.0 >> 16).into(), (at.1 >> 16).into());
-            assert_eq!(texture.nearest_through(u, v, &palette), here, "{at:?} of {texture:?}");
+            assert_eq!(texture.nearest_through(at, &palette), here, "{at:?} of {texture:?}");
             let wanted = here.map(|here| {
                 let channel = |channel: fn(&Rgb565) -> u8| {
                     let level = |i, j| i128::from(channel(&color(i, j).unwrap_or(here)));
@@ -167,21 +229,19 @@ fn indices_are_mixed_as_colors() {
                 };
                 Rgb565::new(channel(Rgb565::r), channel(Rgb565::g), channel(Rgb565::b))
             });
-            assert_eq!(texture.bilinear_through(u, v, &palette), wanted, "{at:?} of {texture:?}");
+            assert_eq!(texture.bilinear_through(at, &palette), wanted, "{at:?} of {texture:?}");
         },
     );
 }
 
 #[test]
 fn a_picture_without_texels_is_no_texture() {
-    let empty = Framebuffer::<Gray8>::new(&mut [], 0, 7).map(|frame| Texture::new(&frame, OUTSIDE_TWICE).is_none());
+    let empty = Framebuffer::<Gray8>::new(&mut [], 0, 7).map(|frame| Texture::new(&frame, (Repeat, Clamp)).is_none());
     assert_eq!(empty, Ok(true));
     let mut ram = [0; 4];
     let frame = Framebuffer::<Gray8>::new(&mut ram, 2, 2).unwrap();
-    assert!(Texture::new(&frame.as_bitmap().clipped(Rect::new(5, 5, 9, 9)), OUTSIDE_TWICE).is_none());
+    assert!(Texture::new(&frame.as_bitmap().clipped(Rect::new(5, 5, 9, 9)), (Repeat, Clamp)).is_none());
 }
-
-const OUTSIDE_TWICE: [Outside; 2] = [Outside::Repeat; 2];
 
 /// A triangle shows the texels at the nearest 16.16 numbers to the exact places: in fast mode, next to them.
 #[test]
@@ -189,7 +249,7 @@ fn textured_triangles() {
     let mut rng = Rng::new(40);
     let bytes: Vec<u8> = (0..13 * 9).map(|_| rng.bits() as u8).collect();
     let picture = Frame::<_, Rows<Index8>>::new(&bytes[..], 13, 9).unwrap();
-    let texture = Texture::new(&picture, [Outside::Repeat, Outside::Mirror]).unwrap();
+    let texture = Texture::new(&picture, (Repeat, Mirror)).unwrap();
     let mut off = 0;
     for _ in 0..cases(400) {
         let reach = rng.pick(&[0, 2_000, 200_000]);
@@ -200,15 +260,15 @@ fn textured_triangles() {
         let mut frame = Framebuffer::<Index8>::new(&mut exact, 45, 32).unwrap();
         frame.shade_triangle_fx(places, at.map(fixed), |(u, v)| texture.nearest(u, v)).unwrap();
         let mut quick = Framebuffer::<Index8>::new(&mut fast, 45, 32).unwrap();
-        let values = at.map(|at| (Fast(fixed(at).0), Fast(fixed(at).1)));
+        let values = at.map(|at| Fast(fixed(at)));
         let mut inside = true;
         let range = |of: fn((i32, i32)) -> i32, n: I16F16| {
             at.iter().any(|&at| of(at) <= n.to_bits()) && at.iter().any(|&at| of(at) >= n.to_bits())
         };
         quick
-            .shade_triangle_fx(places, values, |(u, v)| {
-                inside &= range(|at| at.0, u.0) && range(|at| at.1, v.0);
-                texture.nearest(u.0, v.0)
+            .shade_triangle_fx(places, values, |Fast((u, v))| {
+                inside &= range(|at| at.0, u) && range(|at| at.1, v);
+                texture.nearest(u, v)
             })
             .unwrap();
         assert!(inside, "{units:?} {at:?}");

@@ -9,7 +9,8 @@ use board::counter::{count, Count};
 use board::{crc32, println, stack, CHIP};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::geom::{Fast, Varying};
-use embedded_raster::surface::{Counter, Outside, Texture};
+use embedded_raster::surface::texture::{Clamp, Mirror, Outside, Repeat, Tile};
+use embedded_raster::surface::{Counter, Rows, Texture};
 use embedded_raster::{Bitmap, Canvas, Framebuffer, PixelFormat, PointFx, Rect};
 use fixed::types::I16F16;
 
@@ -44,20 +45,26 @@ fn main() {
     let (small, picture) = (small(), Bitmap::<Rgb565>::new(&texels, 64, 64).unwrap());
     let part = picture.view(Rect::new(2, 2, 62, 61));
     for (name, triangles) in [("texture-20000", &LARGE[..]), ("texture-100", &small[..])] {
-        let masked = Texture::new(&picture, [Outside::Repeat; 2]).unwrap();
-        let clamped = Texture::new(&picture, [Outside::Clamp; 2]).unwrap();
-        let repeated = Texture::new(&part, [Outside::Repeat; 2]).unwrap();
-        let mirrored = Texture::new(&part, [Outside::Mirror; 2]).unwrap();
-        for (kind, texture) in [("64x64", masked), ("clamp", clamped), ("60x59", repeated), ("mirror", mirrored)] {
-            let fast = |(u, v): (Fast<I16F16>, Fast<I16F16>)| texture.nearest(u.0, v.0);
-            measure(name, kind, "fast", triangles, &mut memory, |u, v, _| (Fast(u), Fast(v)), fast);
-            if kind == "64x64" {
-                measure(name, kind, "exact", triangles, &mut memory, |u, v, _| (u, v), |(u, v)| texture.nearest(u, v));
-                let fast = |(u, v): (Fast<I16F16>, Fast<I16F16>)| texture.bilinear(u.0, v.0);
-                measure(name, "bilinear", "fast", triangles, &mut memory, |u, v, _| (Fast(u), Fast(v)), fast);
-            }
-        }
+        let tile = Texture::new(&picture, (Tile, Tile)).unwrap();
+        nearest(name, "64x64", triangles, &mut memory, tile);
+        nearest(name, "clamp", triangles, &mut memory, Texture::new(&part, (Clamp, Clamp)).unwrap());
+        nearest(name, "60x59", triangles, &mut memory, Texture::new(&part, (Repeat, Repeat)).unwrap());
+        nearest(name, "mirror", triangles, &mut memory, Texture::new(&part, (Mirror, Mirror)).unwrap());
+        measure(name, "64x64", "exact", triangles, &mut memory, |u, v, _| (u, v), move |(u, v)| tile.nearest(u, v));
+        let mix = move |Fast((u, v))| tile.bilinear(u, v);
+        measure(name, "bilinear", "fast", triangles, &mut memory, |u, v, _| Fast((u, v)), mix);
     }
+}
+
+fn nearest<U: Outside, V: Outside>(
+    name: &str,
+    kind: &str,
+    triangles: &[Corners],
+    memory: &mut Memory,
+    texture: Texture<'_, Rows<Rgb565>, U, V>,
+) {
+    let color = move |Fast((u, v))| texture.nearest(u, v);
+    measure(name, kind, "fast", triangles, memory, |u, v, _| Fast((u, v)), color);
 }
 
 fn measure<V: Varying>(
