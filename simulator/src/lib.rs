@@ -7,7 +7,7 @@
 //!   framebuffer + palette  --->  Picture  --->  PNG, terminal, window, difference
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
-//! paint program, by scripts and in a window.
+//! paint program, by scripts and in a window. [`film`] makes APNG and GIF files of pictures.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -20,6 +20,7 @@
 //! ```
 
 mod difference;
+pub mod film;
 mod finish;
 pub mod paint;
 mod picture;

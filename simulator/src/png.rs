@@ -27,22 +27,9 @@ impl Picture {
     /// # Errors
     /// `InvalidInput` for a picture without pixels, which PNG does not have.
     pub fn to_png(&self) -> io::Result<Vec<u8>> {
-        let side = |n: usize| u32::try_from(n).map_err(invalid);
         let mut file = Vec::new();
-        let mut encoder = Encoder::new(&mut file, side(self.width())?, side(self.height())?);
-        let data = match self.pixels() {
-            Pixels::Indexed { bits, palette, indices } => {
-                encoder.set_color(ColorType::Indexed);
-                encoder.set_depth(BitDepth::from_u8(*bits).ok_or_else(|| invalid("a depth that PNG does not have"))?);
-                encoder.set_palette(bytes(palette));
-                packed(indices, self.width(), *bits)
-            }
-            Pixels::Rgb(colors) => {
-                encoder.set_color(ColorType::Rgb);
-                bytes(colors)
-            }
-        };
-        encoder.write_header().and_then(|mut writer| writer.write_image_data(&data)).map_err(invalid)?;
+        let encoder = encoder(self, &mut file)?;
+        encoder.write_header().and_then(|mut writer| writer.write_image_data(&data(self))).map_err(invalid)?;
         Ok(file)
     }
 
@@ -78,11 +65,35 @@ impl Picture {
     }
 }
 
+/// What writes pictures of this size, depth and palette.
+pub(crate) fn encoder<'a, W: io::Write>(picture: &Picture, file: W) -> io::Result<Encoder<'a, W>> {
+    let side = |n: usize| u32::try_from(n).map_err(invalid);
+    let mut encoder = Encoder::new(file, side(picture.width())?, side(picture.height())?);
+    match picture.pixels() {
+        Pixels::Indexed { bits, palette, .. } => {
+            encoder.set_color(ColorType::Indexed);
+            encoder.set_depth(BitDepth::from_u8(*bits).ok_or_else(|| invalid("a depth that PNG does not have"))?);
+            encoder.set_palette(bytes(palette));
+        }
+        Pixels::Rgb(_) => encoder.set_color(ColorType::Rgb),
+    }
+    Ok(encoder)
+}
+
+/// The pixels of a picture, as such a file has them.
+pub(crate) fn data(picture: &Picture) -> Vec<u8> {
+    match picture.pixels() {
+        Pixels::Indexed { bits, indices, .. } => packed(indices, picture.width(), *bits),
+        Pixels::Rgb(colors) => bytes(colors),
+    }
+}
+
 fn invalid(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, error)
 }
 
-fn bytes(colors: &[Rgb888]) -> Vec<u8> {
+/// Red, green and blue of each colour.
+pub(crate) fn bytes(colors: &[Rgb888]) -> Vec<u8> {
     colors.iter().flat_map(|c| [c.r(), c.g(), c.b()]).collect()
 }
 
