@@ -104,6 +104,8 @@ mod tests {
 
     use super::*;
 
+    type Next = fn(u16) -> io::Result<Picture>;
+
     fn indexed(index: u8) -> Picture {
         Picture::from_indices(3, 2, 4, EGA.colors().to_vec(), vec![index, 1, 2, 3, 4, 5])
     }
@@ -166,7 +168,7 @@ mod tests {
     fn what_cannot_be_made_is_an_error() {
         let kind = |result: io::Result<Vec<u8>>| result.map_err(|error| error.kind());
         let wrong = Err(io::ErrorKind::InvalidInput);
-        let makers: [fn(u16, fn(u16) -> io::Result<Picture>) -> io::Result<Vec<u8>>; 2] = [apng, gif];
+        let makers: [fn(u16, Next) -> _; 2] = [apng, gif];
         for make in makers {
             assert_eq!(kind(make(0, |n| Ok(colors(n)))), wrong, "no pictures");
             assert_eq!(kind(make(2, |_| Ok(Picture::from_colors(0, 3, vec![])))), wrong, "no pixels");

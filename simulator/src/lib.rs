@@ -7,7 +7,8 @@
 //!   framebuffer + palette  --->  Picture  --->  PNG, terminal, window, difference
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
-//! paint program, by scripts and in a window. [`film`] makes APNG and GIF files of pictures.
+//! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
+//! [`film`] makes APNG and GIF files of pictures.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -26,6 +27,7 @@ pub mod paint;
 mod picture;
 mod png;
 mod preview;
+pub mod teapot;
 mod window;
 pub mod world;
 

@@ -39,7 +39,7 @@ pub struct Border {
     pub is_coast: bool,
 }
 
-/// What is wrong with the text of a map.
+/// What is wrong with a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
     /// The line, from 1 on.
