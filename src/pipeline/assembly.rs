@@ -63,9 +63,19 @@ impl fmt::Display for IndexOutOfRange {
 
 impl core::error::Error for IndexOutOfRange {}
 
-/// The triangles of some indices, as references to their corners.
+/// The triangles of some indices, as references to their corners: for
+/// [`Pipeline::whole_triangles`](super::Pipeline::whole_triangles), or to look at.
+///
+/// # Errors
+/// If an index has no vertex.
+/// ```
+/// use embedded_raster::pipeline::{assemble, Topology};
+/// let fan: Vec<_> = assemble(Topology::Fan, &["a", "b", "c", "d"], &[0_u8, 1, 2, 3])?.collect();
+/// assert_eq!(fan, [[&"a", &"b", &"c"], [&"a", &"c", &"d"]]);
+/// # Ok::<(), embedded_raster::pipeline::IndexOutOfRange>(())
+/// ```
 #[inline]
-pub(super) fn triangles<'a, A>(
+pub fn assemble<'a, A>(
     topology: Topology,
     vertices: &'a [A],
     indices: &'a [impl Index],

@@ -77,7 +77,7 @@ mod draw;
 mod viewport;
 
 pub use self::{
-    assembly::{Index, IndexOutOfRange, Topology},
+    assembly::{assemble, Index, IndexOutOfRange, Topology},
     draw::{Fragment, Triangle},
 };
 use self::{clip::Clipped, viewport::Screen};
@@ -152,10 +152,43 @@ impl Pipeline {
         let (mut number, mut count) = (0_u32, 0_u32);
         for corners in triangles {
             number = number.wrapping_add(1);
-            self.triangle(corners.map(&mut vertex), number, |triangle| {
-                count = count.wrapping_add(1);
-                draw(triangle);
-            });
+            let corners = corners.map(&mut vertex);
+            let mut piece = |corners: &[Vertex<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
+            match clip::look(&self.screen, &corners) {
+                Clipped::Outside => {}
+                Clipped::Inside => piece(&corners),
+                Clipped::Cut(planes) => clip::cut(&self.screen, corners, planes, piece),
+            }
+        }
+        count
+    }
+
+    /// [`triangles`](Self::triangles), but one that a plane would cut is left out: for scenes that stay between the near and the far
+    /// plane, and not far outside of the picture.
+    ///
+    /// A firmware that draws nothing else does not have the clipper in its flash and on its stack.
+    /// ```
+    /// use embedded_raster::{pipeline::{Pipeline, Vertex}, Vec4};
+    /// let (mut whole, mut pieces) = (0, 0);
+    /// // The last corner lies in front of the near plane.
+    /// let triangle = [Vec4::whole(-1, -1, 1, 2), Vec4::whole(1, -1, 1, 2), Vec4::whole(0, 1, -1, 2)];
+    /// Pipeline::new(4, 4).whole_triangles([triangle], |at| Vertex::new(at, ()), |_| whole += 1);
+    /// Pipeline::new(4, 4).triangles([triangle], |at| Vertex::new(at, ()), |_| pieces += 1);
+    /// assert_eq!((whole, pieces), (0, 2));
+    /// ```
+    pub fn whole_triangles<A, V: Copy>(
+        &self,
+        triangles: impl IntoIterator<Item = [A; 3]>,
+        mut vertex: impl FnMut(A) -> Vertex<V>,
+        mut draw: impl FnMut(&Triangle<V>),
+    ) -> u32 {
+        let (mut number, mut count) = (0_u32, 0_u32);
+        for corners in triangles {
+            number = number.wrapping_add(1);
+            let corners = corners.map(&mut vertex);
+            if let Clipped::Inside = clip::look(&self.screen, &corners) {
+                count = count.wrapping_add(self.finish(&corners, number, &mut draw));
+            }
         }
         count
     }
@@ -189,25 +222,22 @@ impl Pipeline {
         mut vertex: impl FnMut(&A) -> Vertex<V>,
         draw: impl FnMut(&Triangle<V>),
     ) -> Result<u32, IndexOutOfRange> {
-        let triangles = assembly::triangles(topology, vertices, indices)?;
-        Ok(self.triangles(triangles, |corner| vertex(corner), draw))
+        Ok(self.triangles(assemble(topology, vertices, indices)?, |corner| vertex(corner), draw))
     }
 
-    /// One triangle, from clipping to culling.
-    fn triangle<V: Mix>(&self, corners: [Vertex<V>; 3], number: u32, mut draw: impl FnMut(&Triangle<V>)) {
-        let mut piece = |corners: &[Vertex<V>; 3]| {
-            let Some(places) = self.screen.places(corners) else { return };
-            let turn = viewport::turn(places);
-            let is_front = (turn > 0) == self.front_is_clockwise;
-            let facing = if is_front { Facing::Front } else { Facing::Back };
-            if turn != 0 && self.culled != Some(facing) {
-                draw(&Triangle { places, corners: *corners, facing, number });
-            }
-        };
-        match clip::look(&self.screen, &corners) {
-            Clipped::Outside => {}
-            Clipped::Inside => piece(&corners),
-            Clipped::Cut(planes) => clip::cut(&self.screen, corners, planes, piece),
+    /// What is between the planes, from the perspective divide to culling. How many of it were drawn: one or none.
+    ///
+    /// Not inlined: it is called for whole triangles and for pieces, and `draw` may be large.
+    #[inline(never)]
+    fn finish<V: Copy>(&self, corners: &[Vertex<V>; 3], number: u32, draw: &mut impl FnMut(&Triangle<V>)) -> u32 {
+        let Some(places) = self.screen.places(corners) else { return 0 };
+        let turn = viewport::turn(places);
+        let is_front = (turn > 0) == self.front_is_clockwise;
+        let facing = if is_front { Facing::Front } else { Facing::Back };
+        if turn == 0 || self.culled == Some(facing) {
+            return 0;
         }
+        draw(&Triangle { places, corners: *corners, facing, number });
+        1
     }
 }

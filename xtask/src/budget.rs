@@ -53,7 +53,7 @@ pub fn measure(columns: Columns) -> Result<Budgets> {
         firmware::build_together("bench", &["cycles", "own", "scene"], &chips, Opt::Three, cpu)?;
     }
     firmware::build_with_frames(size::PACKAGE, &chips, Opt::Small)?;
-    let host = scene::on_host()?;
+    let host = scene::on_host("host")?;
     // Those of this crate.
     let features: Vec<String> = size::programs()?.into_iter().filter(|name| !name.starts_with("eg_")).collect();
     for (name, chip) in CHIPS {

@@ -102,9 +102,17 @@ pub fn project() -> &'static Path {
 
 /// Builds a program and returns where its ELF is.
 pub fn build(program: &Program<'_>, build: Build) -> Result<PathBuf> {
-    let Build { chip, opt, cpu } = build;
+    build_one(program, build, &[])
+}
+
+/// The same, of a program that prints only with the feature `print`.
+pub fn build_printing(program: &Program<'_>, build: Build) -> Result<PathBuf> {
+    build_one(program, build, &["--features", "print"])
+}
+
+fn build_one(program: &Program<'_>, Build { chip, opt, cpu }: Build, features: &[&str]) -> Result<PathBuf> {
     let mut cargo = Toolchain::find(chip)?.cargo_build(&[chip]);
-    cargo.args(["--bin", program.bin]);
+    cargo.args(["--bin", program.bin]).args(features);
     if cpu {
         cargo.args(flags(&[chip], |chip| format!("'-Ctarget-cpu={}'", chip.processor().0)));
     }

@@ -11,6 +11,7 @@
 //!    |                            |
 //!  emulator         QEMU and plugin ---> output ---> table: cycles and instructions per pixel
 //!                                                      scene: whole frames, compared with the host's
+//!                                                      cube: with little RAM, in bands
 //!                                                      budget: what has grown
 //! ```
 
@@ -19,6 +20,7 @@
 pub mod budget;
 pub mod checks;
 pub mod chip;
+pub mod cube;
 pub mod emulator;
 pub mod firmware;
 pub mod frames;

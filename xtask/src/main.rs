@@ -36,7 +36,7 @@ On RISC-V there are instructions only.
     size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s] [--cpu]
-        draw the map of the world and a scene of all shapes; fail when a frame differs from this computer's
+        draw the map of the world, a scene of all shapes, and a cube in little RAM; fail when a frame differs from this computer's
     budget [--bless]
         fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 

@@ -8,7 +8,7 @@ use anyhow::{bail, ensure, Context, Error, Result};
 
 use crate::firmware::{self, Build, Program};
 use crate::size::Sections;
-use crate::{emulator, heading, run, table, Chip};
+use crate::{cube, emulator, heading, run, table, Chip};
 
 /// The programs that print frames: all of them, and the map with its memory static.
 const SCENE: Program<'_> = Program { package: "bench", bin: "scene" };
@@ -50,13 +50,14 @@ impl FromStr for Frame {
     }
 }
 
-fn parse(output: &str) -> Result<Vec<Frame>> {
+/// Reads the lines of such a program.
+pub(crate) fn parse(output: &str) -> Result<Vec<Frame>> {
     output.lines().filter(|line| !line.starts_with('#')).map(str::parse).collect()
 }
 
 /// Draws all frames in some builds for chips and prints what they take. Fails where one is not that of this computer.
 pub fn check_all(builds: &[Build]) -> Result<()> {
-    let host = on_host()?;
+    let host = on_host("host")?;
     for build in builds {
         let (build, chip) = (*build, build.chip);
         let frames = on_chip(build)?;
@@ -64,15 +65,16 @@ pub fn check_all(builds: &[Build]) -> Result<()> {
         compare(&host, chip, &frames)?;
         let ram = map(build)?;
         println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
+        cube::check(build)?;
     }
     println!("All frames are those of this computer.");
     Ok(())
 }
 
-/// Draws all frames on this computer.
-pub fn on_host() -> Result<Vec<Frame>> {
+/// Draws frames on this computer: those of an example of the package `scene`.
+pub fn on_host(example: &str) -> Result<Vec<Frame>> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["run", "--quiet", "--release", "--package", "scene", "--example", "host"]);
+    cargo.args(["run", "--quiet", "--release", "--package", "scene", "--example", example]);
     cargo.arg("--target-dir").arg(firmware::root().join("target")).current_dir(firmware::root());
     let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
     ensure!(output.status.success(), "drawing on the host: {}", String::from_utf8_lossy(&output.stderr));

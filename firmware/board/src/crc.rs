@@ -22,5 +22,10 @@ static TABLE: [u32; 256] = {
 
 /// The checksum of some bytes; `123456789` gives `cbf43926`.
 pub fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, &byte| (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)])
+    crc32_with(0, bytes)
+}
+
+/// The checksum of bytes whose checksum is known, and then of some more. That of none is 0.
+pub fn crc32_with(before: u32, bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!before, |crc, &byte| (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)])
 }

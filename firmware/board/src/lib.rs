@@ -22,7 +22,7 @@ pub mod counter;
 mod crc;
 pub mod stack;
 
-pub use crc::crc32;
+pub use crc::{crc32, crc32_with};
 /// Prints a line to the output of the emulator.
 #[cfg(feature = "print")]
 pub use semihosting::println;

@@ -1,9 +1,11 @@
-//! Frames that every chip and the host draw alike: the map of the world, a scene of every way to draw, and the page of all
-//! shapes that `cargo run --example shapes` shows.
+//! Frames that every chip and the host draw alike: the map of the world, a scene of every way to draw, the page of all
+//! shapes that `cargo run --example shapes` shows, and the cube of `cargo run --example cube`.
 //!
 //! The same code everywhere, integers only: their checksums must be equal, to the bit.
 #![no_std]
 
+#[path = "../../../examples/cube/scene.rs"]
+pub mod cube;
 pub mod map;
 #[path = "../../../examples/shapes/page.rs"]
 pub mod page;
@@ -11,7 +13,8 @@ pub mod shapes;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::raster::flood::FloodSlot;
-use embedded_raster::{EdgeSlot, Error, Framebuffer, Index1, Index4, PixelFormat};
+use embedded_raster::surface::DepthBuffer;
+use embedded_raster::{Angle, EdgeSlot, Error, Framebuffer, Index1, Index4, PixelFormat};
 
 /// Columns of the screen.
 pub const WIDTH: u16 = 320;
@@ -56,4 +59,36 @@ const fn page<F: PixelFormat>(format: &'static str) -> Frame {
 const fn shapes<F: PixelFormat>(format: &'static str) -> Frame {
     let bytes = embedded_raster::buffer_bytes::<F>(WIDTH, HEIGHT);
     Frame { name: "shapes", format, bytes, draw: shapes::draw::<F> }
+}
+
+/// Moments at which the cube is drawn: so many to a turn.
+pub const MOMENTS: u16 = 8;
+
+/// Bytes of so many rows of the cube's screen: those of colours, and as many for depths.
+pub const fn cube_bytes(rows: u16) -> usize {
+    embedded_raster::buffer_bytes::<Rgb565>(cube::WIDTH, rows)
+}
+
+/// Draws the cube at a moment, in bands of `rows` rows, and hands each band to `send` before the next one is drawn on the same
+/// memory.
+///
+/// # Errors
+/// `colors` or `depths` is shorter than [`cube_bytes`] of the rows.
+pub fn draw_cube(
+    moment: u16,
+    rows: u16,
+    colors: &mut [u8],
+    depths: &mut [u8],
+    mut send: impl FnMut(&[u8]),
+) -> Result<(), Error> {
+    let (width, height) = (cube::WIDTH, cube::HEIGHT);
+    let scene = cube::Scene::new(width, height, Angle::degrees(30) + Angle::turns(moment.into(), MOMENTS), Rgb565::from);
+    for start in (0..height).step_by(rows.into()) {
+        let band = start..height.min(start + rows);
+        let mut frame = Framebuffer::<Rgb565>::band(&mut *colors, width, height, band.clone())?;
+        let mut depths = DepthBuffer::band(&mut *depths, width, height, band.clone())?;
+        scene.draw(&mut frame, &mut depths, Rgb565::from(cube::BACKGROUND), |_, color| color);
+        send(frame.row_bytes(band));
+    }
+    Ok(())
 }

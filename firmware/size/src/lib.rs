@@ -9,7 +9,9 @@ use embedded_graphics::framebuffer::Framebuffer as EgFramebuffer;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::Point;
-use embedded_raster::{buffer_bytes, Bitmap, Framebuffer, PixelFormat, PointFx, Rect};
+use embedded_raster::{
+    buffer_bytes, pixel::Depth16, surface::DepthBuffer, Bitmap, Framebuffer, PixelFormat, PointFx, Rect, Vec4,
+};
 
 /// Columns of the screen.
 pub const WIDTH: u16 = 320;
@@ -54,6 +56,18 @@ pub fn on_frame<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>)) {
     on_memory(|memory| {
         if let Ok(mut frame) = Framebuffer::new(memory, WIDTH, HEIGHT) {
             draw(&mut frame);
+        }
+    });
+}
+
+/// Lets a function draw on the upper half of the framebuffer in format `F`, once, with the lower half as its depth buffer.
+#[inline]
+pub fn on_depth<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>, &mut DepthBuffer<'_, Depth16>)) {
+    on_memory(|memory| {
+        let (colors, depths) = memory.split_at_mut(BYTES / 2);
+        let (frame, depths) = (Framebuffer::new(colors, WIDTH, HEIGHT / 2), DepthBuffer::new(depths, WIDTH, HEIGHT / 2));
+        if let (Ok(mut frame), Ok(mut depths)) = (frame, depths) {
+            draw(&mut frame, &mut depths);
         }
     });
 }
@@ -106,6 +120,24 @@ pub fn points() -> [Point; 2] {
 #[inline]
 pub fn corners() -> [PointFx; 3] {
     black_box([PointFx::from_bits(1_000, 2_000), PointFx::from_bits(80_000, 9_000), PointFx::from_bits(-3_000, 60_000)])
+}
+
+/// Three places in clip coordinates, not known either: the near plane cuts their triangle.
+#[inline]
+pub fn places() -> [Vec4; 3] {
+    black_box([Vec4::whole(-2, -1, 1, 3), Vec4::whole(3, 0, 2, 4), Vec4::whole(0, 2, -1, 1)])
+}
+
+/// Three colours, not known either.
+#[inline]
+pub fn colors() -> [Rgb565; 3] {
+    black_box([Rgb565::new(31, 5, 0), Rgb565::new(0, 63, 7), Rgb565::new(9, 0, 30)])
+}
+
+/// Three times three numbers, not known either.
+#[inline]
+pub fn values() -> [[u16; 3]; 3] {
+    black_box([[7, 60_000, 900], [40_000, 3, 1_000], [20_000, 30_000, 65_535]])
 }
 
 /// A box, not known either.

@@ -1,0 +1,16 @@
+//! One triangle with a colour at each corner at 16 bits with a depth buffer of 16 bits.
+#![no_std]
+#![no_main]
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::{paint::depth, Canvas};
+
+board::entry!(main);
+
+fn main() {
+    size::on_depth::<Rgb565>(|frame, depths| {
+        let ([a, b, c], [p, q, r]) = (size::values().map(|[depth, ..]| depth), size::colors());
+        let values = [(a, p), (b, q), (c, r)];
+        let _ = frame.depth_triangle_fx(size::corners(), values, depths, depth::less, |color| color);
+    });
+}
