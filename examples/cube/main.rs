@@ -109,7 +109,8 @@ where
 {
     let (width, height) = options.size;
     let rows = options.band.unwrap_or(height).clamp(1, height);
-    let (mut ram, mut depth_ram) = (vec![0; buffer_bytes::<C>(width, rows)], vec![0; 2 * usize::from(width) * usize::from(rows)]);
+    let (mut ram, mut depth_ram) =
+        (vec![0; buffer_bytes::<C>(width, rows)], vec![0; 2 * usize::from(width) * usize::from(rows)]);
     let scene = Scene::new(width, height, turn, &value);
     let background = color(Point::new(3, 0), value(BACKGROUND));
     let fragments = Cell::new(0);

@@ -153,7 +153,8 @@ impl Pipeline {
         for corners in triangles {
             number = number.wrapping_add(1);
             let corners = corners.map(&mut vertex);
-            let mut piece = |corners: &[Vertex<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
+            let mut piece =
+                |corners: &[Vertex<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
             match clip::look(&self.screen, &corners) {
                 Clipped::Outside => {}
                 Clipped::Inside => piece(&corners),

@@ -47,7 +47,10 @@ pub fn check(build: Build) -> Result<()> {
         );
         rows.push((name, taken));
     }
-    println!("The cube, 160 x 128 pixels in RGB565 with depths of 16 bits, on average over a turn:\n\n{}", markdown(&rows)?);
+    println!(
+        "The cube, 160 x 128 pixels in RGB565 with depths of 16 bits, on average over a turn:\n\n{}",
+        markdown(&rows)?
+    );
     Ok(())
 }
 
