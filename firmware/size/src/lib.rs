@@ -9,8 +9,9 @@ use embedded_graphics::framebuffer::Framebuffer as EgFramebuffer;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::Point;
+use embedded_raster::raster::flood::FloodSlot;
 use embedded_raster::{
-    buffer_bytes, pixel::Depth16, surface::DepthBuffer, Bitmap, Framebuffer, PixelFormat, PointFx, Rect, Vec4,
+    buffer_bytes, pixel::Depth16, surface::DepthBuffer, Bitmap, EdgeSlot, Framebuffer, PixelFormat, PointFx, Rect, Vec4,
 };
 
 /// Columns of the screen.
@@ -69,6 +70,18 @@ pub fn on_depth<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>, &mut Dept
         if let (Ok(mut frame), Ok(mut depths)) = (frame, depths) {
             draw(&mut frame, &mut depths);
         }
+    });
+}
+
+/// Lets a function draw on the framebuffer in format `F`, once, with scratch memory for polygons and for floods.
+#[inline]
+pub fn on_frame_and_tables<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>, &mut [EdgeSlot], &mut [FloodSlot])) {
+    static TABLES: Memory<([EdgeSlot; 64], [FloodSlot; 16])> =
+        Memory(UnsafeCell::new(([EdgeSlot::EMPTY; 64], [FloodSlot::EMPTY; 16])));
+    on_frame::<F>(|frame| {
+        // SAFETY: the only reference, in the only place.
+        let (table, slots) = unsafe { &mut *TABLES.0.get() };
+        draw(frame, table, slots);
     });
 }
 

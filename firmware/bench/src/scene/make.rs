@@ -222,14 +222,37 @@ pub(super) fn spiral(random: &mut Lcg) -> [Rect; MAZE] {
     })
 }
 
-/// A region to flood; rectangles overlap in one pixel, at corners.
+/// Corridors and doors of [`halls`].
+pub(super) const HALLS: usize = 45;
+
+/// Corridors nine pixels wide, one below the other, with walls of one pixel and a door at alternate ends: what is flooded in a
+/// window with frames, or in a drawing, is more like this than like a corridor of one pixel.
+pub(super) fn halls(random: &mut Lcg) -> [Rect; HALLS] {
+    const WIDE: u32 = 9;
+    let ink = random.ink();
+    from_fn(|i| {
+        let (hall, is_door) = (i as i32 / 2, i % 2 == 1);
+        let top = 1 + hall * (WIDE as i32 + 1);
+        let (at, size) = if is_door {
+            let x = if hall % 2 == 0 { W - 2 - WIDE as i32 } else { 1 };
+            (Point::new(x, top + WIDE as i32), Size::new(WIDE, 1))
+        } else {
+            (Point::new(1, top), Size::new(WIDTH as u32 - 2, WIDE))
+        };
+        Rect::new(Rectangle::new(at, size), ink)
+    })
+}
+
+/// A region to flood. Rectangles overlap, if at all, with the one before.
 pub(super) fn flood(shapes: &[Rect], round: bool) -> Flooded<'_> {
     let first = shapes[0].area;
     let (seed, pixels) = if round {
         (first.center(), disc_pixels(&shapes[0]))
     } else {
-        let areas: u32 = shapes.iter().map(|r| r.area.size.width * r.area.size.height).sum();
-        (first.top_left, areas - shapes.len() as u32 + 1)
+        let area = |r: &Rectangle| r.size.width * r.size.height;
+        let areas: u32 = shapes.iter().map(|r| area(&r.area)).sum();
+        let twice: u32 = shapes.windows(2).map(|two| area(&two[0].area.intersection(&two[1].area))).sum();
+        (first.top_left, areas - twice)
     };
     Flooded { shapes, round, seed, inks: [Ink(0x0861), INK, Ink(0x5A9D)], pixels }
 }

@@ -250,11 +250,12 @@ pub struct Scene {
     blob: [[Units; 4]; Blob::CURVES],
     thick: [Segment; 32],
     track: [Units; Track::PLACES],
+    halls: [Rect; make::HALLS],
 }
 
 impl Scene {
     /// Number of workloads.
-    pub const LEN: usize = 28;
+    pub const LEN: usize = 29;
 
     /// Makes all data, the same each time.
     pub fn new() -> Self {
@@ -283,6 +284,7 @@ impl Scene {
             blob: make::blob(),
             thick: make::thick_lines(random),
             track: make::track(random),
+            halls: make::halls(random),
         }
     }
 
@@ -312,6 +314,7 @@ impl Scene {
             ("rounded-161x101", Work::Rounded(&self.rounded)),
             ("flood-disc", Work::Flood(make::flood(&self.flood, true))),
             ("flood-maze", Work::Flood(make::flood(&self.maze, false))),
+            ("flood-halls", Work::Flood(make::flood(&self.halls, false))),
             ("curves-thin", Work::Curves(&self.curves)),
             ("blob-8", Work::Blob(Blob { curves: &self.blob, ink })),
             ("lines-7-wide", Work::Thick(&self.thick)),
