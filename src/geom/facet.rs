@@ -121,10 +121,11 @@ impl Facet {
         self.first
     }
 
-    /// Width and height of its box together, in pixels, rounded up.
-    #[inline(always)]
-    pub(crate) const fn extent(&self) -> u32 {
-        self.extent
+    /// The most pixels that a row of it may have.
+    #[inline]
+    pub(crate) fn width(&self) -> u32 {
+        let [(b, _), (c, _)] = self.sides;
+        b.unsigned_abs().max(c.unsigned_abs()).max(b.abs_diff(c)).div_ceil(256)
     }
 
     /// How often twice its area goes into a number; at most 2^31 - 1.

@@ -133,10 +133,32 @@ impl<V: Varying> Plane<V> {
         }
     }
 
+    /// The run that begins at a pixel.
+    #[inline(always)]
+    pub(crate) fn run(&self, x: i32, y: i32) -> V::Run {
+        let row = V::row(&self.slopes, unsigned(y.wrapping_sub(self.first.1)));
+        V::run(&self.slopes, &row, unsigned(x.wrapping_sub(self.first.0)))
+    }
+
+    /// For how many pixels a run is right.
+    #[inline(always)]
+    pub(crate) fn reach(&self) -> u32 {
+        V::reach(&self.slopes).max(1)
+    }
+
     /// The first row of the triangle's box.
     #[inline(always)]
     pub(crate) const fn top(&self) -> i32 {
         self.first.1
+    }
+}
+
+impl<A: Varying, B: Varying> Plane<(A, B)> {
+    /// Each by itself.
+    #[inline(always)]
+    pub(crate) fn split(self) -> (Plane<A>, Plane<B>) {
+        let Self { first, slopes: (a, b) } = self;
+        (Plane { first, slopes: a }, Plane { first, slopes: b })
     }
 }
 
@@ -183,7 +205,7 @@ impl<V: Varying> Rows<V> {
     /// For how many pixels a run is right.
     #[inline(always)]
     pub(crate) fn reach(&self) -> u32 {
-        V::reach(&self.plane.slopes).max(1)
+        self.plane.reach()
     }
 }
 

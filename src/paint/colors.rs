@@ -161,9 +161,10 @@ impl LevelSlopes {
         let right = fine.map(|gain| cut(gain, 1));
         // With `most` steps and the start, a number is just right.
         let most = facet.times_in(Levels::MOST).saturating_sub(1).max(1);
-        let (long, runs) = (most.wrapping_sub(most >> 2) & !3, (most >> 2).wrapping_add(1));
         let (mut reach, mut back) = (most, 0);
-        if long.saturating_mul(runs) >= facet.extent() {
+        let shares =
+            [most >> 3, most >> 2].into_iter().map(|runs| (most.wrapping_sub(runs) & !3, runs.wrapping_add(1)));
+        if let Some((long, _)) = { shares }.find(|(long, runs)| long.saturating_mul(*runs) >= facet.width()) {
             reach = long;
             let less = ByteSlopes::BITS - Levels::BITS;
             // A step gains up to 1 unit too much. A reach is below 2^36.

@@ -63,7 +63,8 @@ pub fn always<N: PartialOrd>(_: &N, _: &N) -> bool {
 #[derive(Debug)]
 pub struct DepthShade<'a, M, Z: Depth, V: Varying, T, F> {
     depth: &'a mut Frame<M, surface::Rows<Z>>,
-    rows: Rows<(Z::Number, V)>,
+    rows: Rows<Z::Number>,
+    values: Plane<V>,
     passes: T,
     writes: bool,
     color: F,
@@ -74,7 +75,8 @@ impl<'a, M: AsMut<[u8]>, Z: Depth, V: Varying, T, F> DepthShade<'a, M, Z, V, T, 
     /// and the depth.
     #[inline(always)]
     pub fn new(depth: &'a mut Frame<M, surface::Rows<Z>>, plane: Plane<(Z::Number, V)>, passes: T, color: F) -> Self {
-        Self { depth, rows: Rows::new(plane, plane.top()), passes, writes: true, color }
+        let (depths, values) = plane.split();
+        Self { depth, rows: Rows::new(depths, depths.top()), values, passes, writes: true, color }
     }
 
     /// Without keeping the depths of what it paints: for what is transparent.
@@ -95,50 +97,41 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
         // Where there are no depths, nothing is painted.
         let Some(span) = span.again(self.depth.window()) else { return };
         self.rows.go_to(span.y());
-        if span.len() > self.rows.reach() {
-            return self.parts(on, span);
-        }
-        let mut run = self.rows.run(span.x0());
-        self.part(on, span, &mut run);
+        span.parts(self.rows.reach().min(self.values.reach()), |part| self.part(on, part));
     }
 
-    /// The same for a row in which a run is not right to its end.
-    #[inline(never)]
-    fn parts<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
-    where
-        F: FnMut(V, Z::Number) -> Option<S::Color>,
-    {
-        let mut run = self.rows.run(span.x0());
-        span.parts(self.rows.reach(), |part| {
-            if part.x0() != span.x0() {
-                self.rows.go_on(&mut run, part.x0(), part.y());
-            }
-            self.part(on, part, &mut run);
-        });
-    }
-
-    /// Paints pixels from a run on.
+    /// Paints pixels for which runs are right. What is hidden often lies side by side: up to the first pixel that passes, depths are
+    /// compared and nothing else is computed.
     #[inline(always)]
-    fn part<S: Surface>(&mut self, on: &mut S, part: ClippedSpan, run: &mut (<Z::Number as Varying>::Run, V::Run))
+    fn part<S: Surface>(&mut self, on: &mut S, part: ClippedSpan)
     where
         F: FnMut(V, Z::Number) -> Option<S::Color>,
     {
-        let Self { depth, passes, writes, color, .. } = self;
-        let (Some(cells), writes, mut at) = (depth.cells(part), *writes, *run) else { return };
-        let mut cells = cells.iter_mut();
+        let Self { depth, rows, values, passes, writes, color } = self;
+        let (mut z, writes, Some(cells)) = (rows.run(part.x0()), *writes, depth.cells(part)) else { return };
+        let hidden = cells.iter().take_while(|cell| {
+            let is_hidden = !passes(&Z::Number::value(&z), &Z::load(**cell));
+            if is_hidden {
+                Z::Number::step(&mut z);
+            }
+            is_hidden
+        });
+        let hidden = hidden.count();
+        let (Some(cells), Some(part)) = (cells.get_mut(hidden..), part.without(hidden)) else { return };
+        let (mut at, mut cells) = (values.run(part.x0(), part.y()), cells.iter_mut());
         on.write_inside(Inside(Said::Span(part)), |_| {
-            let z = Z::Number::value(&at.0);
-            let painted = cells.next().filter(|cell| passes(&z, &Z::load(**cell))).and_then(|cell| {
-                let color = color(V::value(&at.1), z)?;
+            let number = Z::Number::value(&z);
+            let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
+                let color = color(V::value(&at), number)?;
                 if writes {
-                    *cell = Z::store(z);
+                    *cell = Z::store(number);
                 }
                 Some(color)
             });
-            <(Z::Number, V)>::step(&mut at);
+            Z::Number::step(&mut z);
+            V::step(&mut at);
             painted
         });
-        *run = at;
     }
 }
 

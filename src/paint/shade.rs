@@ -27,16 +27,26 @@ impl<V: Varying, F> Shade<V, F> {
 
 impl<V: Varying, F> Shade<V, F> {
     /// Paints pixels of one row that lie in the window of the surface.
-    // Not inlined: the state of the loop along the row has the registers to itself.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn row<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
     where
         F: FnMut(V) -> S::Color,
     {
-        self.rows.go_to(span.y());
         if span.len() > self.rows.reach() {
-            return self.parts(on, span);
+            self.parts(on, span);
+        } else {
+            self.run(on, span);
         }
+    }
+
+    /// A row in which one run is right to its end.
+    // Not inlined: the state of the loop along the row has the registers to itself.
+    #[inline(never)]
+    fn run<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
+    where
+        F: FnMut(V) -> S::Color,
+    {
+        self.rows.go_to(span.y());
         let (mut run, color) = (self.rows.run(span.x0()), &mut self.color);
         on.write_span_inside(Inside(Said::Span(span)), |_| {
             let value = V::value(&run);
@@ -45,16 +55,17 @@ impl<V: Varying, F> Shade<V, F> {
         });
     }
 
-    /// The same for a row in which a run is not right to its end.
+    /// A row in which a run is not right to its end.
     #[inline(never)]
     fn parts<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
     where
         F: FnMut(V) -> S::Color,
     {
         let Self { rows, color } = self;
-        let mut run = rows.run(span.x0());
+        rows.go_to(span.y());
+        let (mut run, mut rest) = (rows.run(span.x0()), false);
         span.parts(rows.reach(), |part| {
-            if part.x0() != span.x0() {
+            if core::mem::replace(&mut rest, true) {
                 rows.go_on(&mut run, part.x0(), part.y());
             }
             let mut at = run;

@@ -88,6 +88,14 @@ impl ClippedSpan {
         Span { y: self.y, x0: self.x0, x1: self.x1 }.clip(window)
     }
 
+    /// All but so many pixels at its left end; `None` if there are no others.
+    #[inline(always)]
+    pub(crate) fn without(self, pixels: usize) -> Option<Self> {
+        let left = i32::try_from(pixels).ok()?;
+        let x0 = self.x0.wrapping_add(left);
+        (x0 < self.x1).then_some(Self { x0, ..self })
+    }
+
     /// Calls `f` with its parts, from left to right, each of `most` pixels but the last one. `most` is not 0.
     #[inline(always)]
     pub(crate) fn parts(self, most: u32, mut f: impl FnMut(Self)) {

@@ -300,6 +300,24 @@ fn weights_are_exact_anywhere_and_parts_sum_to_one() {
     }
 }
 
+/// Pixels that lie far in their row and just short of the next level: a run that went on for too long would have reached it.
+#[test]
+fn colors_of_long_rows_are_the_nearest_ones() {
+    for (units, values, y, x) in [
+        ([(717_943, 687_199), (986_983, 1_198_265), (17_000, 1_214_700)], [29, 16, 28], 4178, 3212),
+        ([(1_238_193, 634_168), (184_418, 52_546), (1_084_504, 88_896)], [22, 5, 19], 1000, 2551),
+        ([(1_128_048, 1_329_180), (624_524, 927_619), (1_202_956, 199_866)], [3, 11, 12], 4089, 4371),
+    ] {
+        let plane = Plane::new(&Facet::new(corners(units)).unwrap(), values.map(|n: u8| Rgb565::new(n, n, n)));
+        triangle::fill(corners(units), Rect::new(0, y, 20_000, y + 1), |span: ClippedSpan| {
+            let mut row = vec![];
+            plane.each(span.x0(), y, span.len(), |color| row.push(color));
+            let (got, wanted) = (row[(x - span.x0()) as usize], planes::nearest(units, values.map(i64::from), x, y));
+            assert_eq!([got.r(), got.g(), got.b()].map(i128::from), [wanted; 3], "{units:?} at {x}, {y}");
+        });
+    }
+}
+
 /// Each channel of a colour by itself, in all their packings.
 #[test]
 fn colors_have_the_nearest_levels() {

@@ -38,7 +38,11 @@ fn small() -> [Corners; 120] {
         let b = (x + 15 * 256 + n * 37 % 900, y + n * 91 % 700, (n * 29 & 255) as u8);
         let c = (x + n * 53 % 800, y + 13 * 256 + n * 77 % 800, (n * 71 & 255) as u8);
         let a = (x + n * 17 % 256, y, 255);
-        if i % 2 == 0 { [a, b, c] } else { [c, b, a] }
+        if i % 2 == 0 {
+            [a, b, c]
+        } else {
+            [c, b, a]
+        }
     })
 }
 
@@ -99,7 +103,8 @@ fn measure_mesh(memory: &mut Memory) {
     let mut seen = Counter::<Rgb565>::new(Rect::new(0, 0, width.into(), height.into()));
     for corners in &triangles {
         let values = corners.map(|(_, z, _)| (z, ()));
-        seen.depth_triangle_fx(corners.map(|c| c.0), values, &mut depth, depth::less, |()| Rgb565::new(0, 0, 0)).unwrap();
+        seen.depth_triangle_fx(corners.map(|c| c.0), values, &mut depth, depth::less, |()| Rgb565::new(0, 0, 0))
+            .unwrap();
     }
     let (calls, tested, painted, crc32) = (triangles.len(), counter.pixels, seen.pixels, crc32(&memory[..]));
     println!("mesh-50;rgb565;depth16;{cycles};{instructions};{calls};{tested};{stack};{crc32:08x}");
@@ -111,9 +116,12 @@ fn main() {
     println!("# workload;format;mode;cycles;instructions;calls;pixels;stack;crc32");
     let mut memory: Memory = [0; WIDTH * HEIGHT * 3];
     let small = small();
-    for (name, triangles) in
-        [("gouraud-20000", &LARGE[..]), ("gouraud-100", &small[..]), ("gouraud-rows", &TALL[..]), ("gouraud-tiny", &TINY[..])]
-    {
+    for (name, triangles) in [
+        ("gouraud-20000", &LARGE[..]),
+        ("gouraud-100", &small[..]),
+        ("gouraud-rows", &TALL[..]),
+        ("gouraud-tiny", &TINY[..]),
+    ] {
         let rgb565 = |n: u8| Rgb565::new(n >> 3, 63 - (n >> 2), 31 - (n >> 4));
         measure::<Rgb565, _>(name, "rgb565", "exact", triangles, &mut memory, rgb565, |c| c);
         measure::<Rgb565, _>(name, "rgb565", "fast", triangles, &mut memory, |n| Fast(rgb565(n)), |c| c.0);
