@@ -66,10 +66,17 @@ pub trait Varying: Copy {
     /// A pixel of a row so many pixels to the right of the first column of the triangle's box.
     fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run;
 
-    /// Takes a run on that has gone through all the pixels for which it is right, so that it is right for as many again.
+    /// [`run`](Self::run), of which so many pixels are asked for: at least 1, and at most [`reach`](Self::reach).
     #[inline(always)]
-    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, right: u32, down: u32) {
-        *run = Self::run(slopes, &Self::row(slopes, down), right);
+    fn stretch(slopes: &Self::Slopes, row: &Self::Row, right: u32, pixels: u32) -> Self::Run {
+        let _ = pixels;
+        Self::run(slopes, row, right)
+    }
+
+    /// Takes a run on that has gone through all the pixels for which it is right, so that it is right for so many more.
+    #[inline(always)]
+    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, (right, down): (u32, u32), pixels: u32) {
+        *run = Self::stretch(slopes, &Self::row(slopes, down), right, pixels);
     }
 
     /// The value.
@@ -103,7 +110,7 @@ impl<V: Varying> Plane<V> {
     /// The value at a pixel of the triangle. Outside of the triangle's box it means nothing.
     #[inline]
     pub fn at(&self, x: i32, y: i32) -> V {
-        V::value(&Rows::new(*self, y).run(x))
+        V::value(&Rows::new(*self, y).run(x, 1))
     }
 
     /// Calls `f` with the values of `n` pixels of the triangle, from (x, y) to the right.
@@ -118,7 +125,7 @@ impl<V: Varying> Plane<V> {
     #[inline]
     pub fn each(&self, mut x: i32, y: i32, mut n: u32, mut f: impl FnMut(V)) {
         let rows = Rows::new(*self, y);
-        let mut run = rows.run(x);
+        let mut run = rows.run(x, n.clamp(1, rows.reach()));
         loop {
             let part = n.min(rows.reach());
             for _ in 0..part {
@@ -129,15 +136,15 @@ impl<V: Varying> Plane<V> {
             if n == 0 {
                 return;
             }
-            rows.go_on(&mut run, x, y);
+            rows.go_on(&mut run, (x, y), n.min(rows.reach()));
         }
     }
 
-    /// The run that begins at a pixel.
+    /// The run of so many pixels that begins at a pixel.
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32) -> V::Run {
+    pub(crate) fn run(&self, (x, y): (i32, i32), pixels: u32) -> V::Run {
         let row = V::row(&self.slopes, unsigned(y.wrapping_sub(self.first.1)));
-        V::run(&self.slopes, &row, unsigned(x.wrapping_sub(self.first.0)))
+        V::stretch(&self.slopes, &row, unsigned(x.wrapping_sub(self.first.0)), pixels)
     }
 
     /// For how many pixels a run is right.
@@ -189,17 +196,17 @@ impl<V: Varying> Rows<V> {
         }
     }
 
-    /// The run that begins in column x of the row.
+    /// The run of so many pixels that begins in column x of the row.
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32) -> V::Run {
-        V::run(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)))
+    pub(crate) fn run(&self, x: i32, pixels: u32) -> V::Run {
+        V::stretch(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)), pixels)
     }
 
-    /// Takes a run of row y on that has come to column x.
+    /// Takes a run that has come to a pixel on for so many more.
     #[inline(always)]
-    pub(crate) fn go_on(&self, run: &mut V::Run, x: i32, y: i32) {
+    pub(crate) fn go_on(&self, run: &mut V::Run, (x, y): (i32, i32), pixels: u32) {
         let Plane { first, ref slopes } = self.plane;
-        V::go_on(slopes, run, unsigned(x.wrapping_sub(first.0)), unsigned(y.wrapping_sub(first.1)));
+        V::go_on(slopes, run, (unsigned(x.wrapping_sub(first.0)), unsigned(y.wrapping_sub(first.1))), pixels);
     }
 
     /// For how many pixels a run is right.
@@ -708,11 +715,16 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
 
     #[inline(always)]
     fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run {
+        Self::stretch(slopes, row, right, 1)
+    }
+
+    #[inline(always)]
+    fn stretch(slopes: &Self::Slopes, row: &Self::Row, right: u32, pixels: u32) -> Self::Run {
         let mut rows = row.iter();
         // There is one for each.
         slopes.each_ref().map(|slopes| match rows.next() {
-            Some(row) => V::run(slopes, row, right),
-            None => V::run(slopes, &V::row(slopes, 0), right),
+            Some(row) => V::stretch(slopes, row, right, pixels),
+            None => V::stretch(slopes, &V::row(slopes, 0), right, pixels),
         })
     }
 
@@ -759,6 +771,11 @@ macro_rules! tuple {
             #[inline(always)]
             fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run {
                 ($($name::run(&slopes.$place, &row.$place, right),)*)
+            }
+
+            #[inline(always)]
+            fn stretch(slopes: &Self::Slopes, row: &Self::Row, right: u32, pixels: u32) -> Self::Run {
+                ($($name::stretch(&slopes.$place, &row.$place, right, pixels),)*)
             }
 
             #[inline(always)]

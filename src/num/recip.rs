@@ -121,7 +121,7 @@ impl Denominator {
 }
 
 /// `floor((2^64 - 1) / m) - 2^32` for m from `2^31` on.
-const fn reciprocal(m: u32) -> u32 {
+pub(crate) const fn reciprocal(m: u32) -> u32 {
     // 1/y times 2^16, with x = y times 2^15.
     let x = m >> 16;
     // (144 - 32 y) / 99 times 2^16, and 210 / 99 times 2^16. The second product is at most 160 / 99 times 2^31.

@@ -55,8 +55,8 @@ macro_rules! by_levels {
             }
 
             #[inline(always)]
-            fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, right: u32, down: u32) {
-                <$levels>::go_on(slopes, run, right, down);
+            fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, at: (u32, u32), pixels: u32) {
+                <$levels>::go_on(slopes, run, at, pixels);
             }
 
             #[inline(always)]
@@ -238,7 +238,7 @@ impl Varying for Levels {
     }
 
     #[inline(always)]
-    fn go_on(slopes: &LevelSlopes, run: &mut LevelRun, right: u32, down: u32) {
+    fn go_on(slopes: &LevelSlopes, run: &mut LevelRun, (right, down): (u32, u32), _: u32) {
         match *slopes {
             LevelSlopes::Apart(Apart { back, .. }) if back != 0 => run.at = run.at.wrapping_sub(back),
             _ => *run = Self::run(slopes, &Self::row(slopes, down), right),

@@ -108,7 +108,9 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
         F: FnMut(V, Z::Number) -> Option<S::Color>,
     {
         let Self { depth, rows, values, passes, writes, color } = self;
-        let (mut z, writes, Some(cells)) = (rows.run(part.x0()), *writes, depth.cells(part)) else { return };
+        let (mut z, writes, Some(cells)) = (rows.run(part.x0(), part.len()), *writes, depth.cells(part)) else {
+            return;
+        };
         let hidden = cells.iter().take_while(|cell| {
             let is_hidden = !passes(&Z::Number::value(&z), &Z::load(**cell));
             if is_hidden {
@@ -118,7 +120,7 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
         });
         let hidden = hidden.count();
         let (Some(cells), Some(part)) = (cells.get_mut(hidden..), part.without(hidden)) else { return };
-        let (mut at, mut cells) = (values.run(part.x0(), part.y()), cells.iter_mut());
+        let (mut at, mut cells) = (values.run((part.x0(), part.y()), part.len()), cells.iter_mut());
         on.write_inside(Inside(Said::Span(part)), |_| {
             let number = Z::Number::value(&z);
             let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {

@@ -47,7 +47,7 @@ impl<V: Varying, F> Shade<V, F> {
         F: FnMut(V) -> S::Color,
     {
         self.rows.go_to(span.y());
-        let (mut run, color) = (self.rows.run(span.x0()), &mut self.color);
+        let (mut run, color) = (self.rows.run(span.x0(), span.len()), &mut self.color);
         on.write_span_inside(Inside(Said::Span(span)), |_| {
             let value = V::value(&run);
             V::step(&mut run);
@@ -63,10 +63,10 @@ impl<V: Varying, F> Shade<V, F> {
     {
         let Self { rows, color } = self;
         rows.go_to(span.y());
-        let (mut run, mut rest) = (rows.run(span.x0()), false);
+        let (mut run, mut rest) = (rows.run(span.x0(), rows.reach()), false);
         span.parts(rows.reach(), |part| {
             if core::mem::replace(&mut rest, true) {
-                rows.go_on(&mut run, part.x0(), part.y());
+                rows.go_on(&mut run, (part.x0(), part.y()), part.len());
             }
             let mut at = run;
             on.write_span_inside(Inside(Said::Span(part)), |_| {
@@ -110,10 +110,10 @@ impl<V: Varying, F> ShadeSome<V, F> {
     {
         let Self { rows, color } = self;
         rows.go_to(span.y());
-        let mut run = rows.run(span.x0());
+        let mut run = rows.run(span.x0(), span.len().min(rows.reach()));
         span.parts(rows.reach(), |part| {
             if part.x0() != span.x0() {
-                rows.go_on(&mut run, part.x0(), part.y());
+                rows.go_on(&mut run, (part.x0(), part.y()), part.len());
             }
             let mut at = run;
             on.write_inside(Inside(Said::Span(part)), |_| {

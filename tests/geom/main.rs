@@ -3,6 +3,7 @@
 mod light;
 mod matrix;
 mod patch;
+mod perspective;
 mod space;
 mod tools;
 mod triangulate;

@@ -21,7 +21,7 @@ const TRIANGLES: usize = 30_000;
 const MOST: i32 = (Facet::MOST as i32) << 8;
 
 /// A triangle of some kind, and a window on it: tiny ones, slivers, such that reach far out of the window, and the largest.
-fn triangle(rng: &mut Rng, kind: usize) -> ([Units; 3], Rect) {
+pub(crate) fn triangle(rng: &mut Rng, kind: usize) -> ([Units; 3], Rect) {
     let side = [40, 700, 256 * 40, 256 * 300, 256 * 4095, MOST / 2][kind % 6];
     let (left, upper) = (rng.int(-side, side / 2), rng.int(-side, side / 2));
     let mut corner = |along: i32| {

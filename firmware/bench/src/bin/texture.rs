@@ -8,7 +8,7 @@ use bench::scene::{HEIGHT, WIDTH};
 use board::counter::{count, Count};
 use board::{crc32, println, stack, CHIP};
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_raster::geom::{Fast, Varying};
+use embedded_raster::geom::{Fast, Perspective, Runs, Varying};
 use embedded_raster::surface::texture::{Clamp, Mirror, Outside, Repeat, Tile};
 use embedded_raster::surface::{Counter, Rows, Texture};
 use embedded_raster::{Bitmap, Canvas, Framebuffer, PixelFormat, PointFx, Rect};
@@ -51,6 +51,12 @@ fn main() {
         nearest(name, "60x59", triangles, &mut memory, Texture::new(&part, (Repeat, Repeat)).unwrap());
         nearest(name, "mirror", triangles, &mut memory, Texture::new(&part, (Mirror, Mirror)).unwrap());
         measure(name, "64x64", "exact", triangles, &mut memory, |u, v, _| (u, v), move |(u, v)| tile.nearest(u, v));
+        let seen = |u, v, w| Perspective { w, value: Fast((u, v)) };
+        let color = move |at: Perspective<Fast<(I16F16, I16F16)>>| tile.nearest(at.value.0.0, at.value.0.1);
+        measure(name, "64x64", "perspective", triangles, &mut memory, seen, color);
+        runs::<8, _, _>(name, "runs-8", triangles, &mut memory, tile);
+        runs::<16, _, _>(name, "runs-16", triangles, &mut memory, tile);
+        runs::<32, _, _>(name, "runs-32", triangles, &mut memory, tile);
         let mix = move |Fast((u, v))| tile.bilinear(u, v);
         measure(name, "bilinear", "fast", triangles, &mut memory, |u, v, _| Fast((u, v)), mix);
     }
@@ -65,6 +71,18 @@ fn nearest<U: Outside, V: Outside>(
 ) {
     let color = move |Fast((u, v))| texture.nearest(u, v);
     measure(name, kind, "fast", triangles, memory, |u, v, _| Fast((u, v)), color);
+}
+
+fn runs<const N: u32, U: Outside, V: Outside>(
+    name: &str,
+    mode: &str,
+    triangles: &[Corners],
+    memory: &mut Memory,
+    texture: Texture<'_, Rows<Rgb565>, U, V>,
+) {
+    let value = |u, v, w| Runs::<_, N> { w, value: Fast((u, v)) };
+    let color = move |at: Runs<Fast<(I16F16, I16F16)>, N>| texture.nearest(at.value.0.0, at.value.0.1);
+    measure(name, "64x64", mode, triangles, memory, value, color);
 }
 
 fn measure<V: Varying>(
