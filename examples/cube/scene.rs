@@ -18,10 +18,10 @@ use embedded_raster::{
         Mix, Varying,
     },
     paint::depth,
-    pipeline::{Facing, Pipeline, Topology, Vertex},
+    pipeline::{assemble, Facing, Pipeline, Topology, Vertex},
     pixel::Depth16,
     surface::DepthBuffer,
-    Angle, Canvas, Mat4, Surface, Vec3,
+    Angle, Canvas, Mat4, Surface, Vec3, Vec4,
 };
 use fixed::types::I16F16;
 
@@ -77,16 +77,17 @@ impl<V: Varying + Mix> Scene<V> {
             * Mat4::look_at(EYE, Vec3::ZERO, Vec3::Y);
         let cube = Mat4::rotate_x(Angle::degrees(25)) * Mat4::rotate_y(turn);
         let spindle = Mat4::rotate_z(turn + turn) * Mat4::rotate_x(turn);
-        let mut number = 0;
-        // One for each, in this order.
-        let vertices = [(); CORNERS + TIPS].map(|()| {
+        // In its place: an array that is mapped would be on the stack of a chip several times.
+        let nowhere = Vertex::new(Vec4::ZERO, value(BACKGROUND));
+        let mut scene =
+            Self { pipeline: Pipeline::new(width, height).cull(Facing::Back), vertices: [nowhere; CORNERS + TIPS] };
+        for (number, vertex) in scene.vertices.iter_mut().enumerate() {
             let (place, normal, paint) = model(number);
             let body = if number < CORNERS { &cube } else { &spindle };
-            number += 1;
             let (at, normal) = (body.transform_point(place).xyz(), body.transform_direction(normal));
-            Vertex::new(camera.transform_point(at), value(lit(at, normal, PAINTS[paint])))
-        });
-        Self { pipeline: Pipeline::new(width, height).cull(Facing::Back), vertices }
+            *vertex = Vertex::new(camera.transform_point(at), value(lit(at, normal, PAINTS[paint])));
+        }
+        scene
     }
 
     /// Draws it on a band of the screen, or the whole, with the depths of the same rows. `color` is the fragment stage.
@@ -99,10 +100,11 @@ impl<V: Varying + Mix> Scene<V> {
     ) {
         on.fill_window(background);
         depths.clear(Depth16::MAX);
-        let drawn = self.pipeline.indexed(Topology::List, &self.vertices, &TRIANGLES, Clone::clone, |triangle| {
+        let Ok(triangles) = assemble(Topology::List, &self.vertices, &TRIANGLES) else { return };
+        // Nothing comes near the planes that would cut: there is no clipper to link.
+        self.pipeline.whole_triangles(triangles, Clone::clone, |triangle| {
             triangle.fill_depth(on, depths, depth::less, |fragment| Some(color(fragment.at, fragment.values)));
         });
-        debug_assert!(drawn.is_ok(), "all indices have vertices");
     }
 }
 

@@ -13,13 +13,12 @@
 //!
 //! Between the planes w is not negative: twice `G w` is at least 0.
 
+use core::mem::swap;
+
 use heapless::Vec;
 
 use super::{viewport::Screen, Vertex};
-use crate::geom::{
-    space::{Vec3, Vec4},
-    Barycentric, Mix,
-};
+use crate::geom::{space::Vec4, Barycentric, Mix};
 
 /// Planes that cut.
 const PLANES: u32 = 6;
@@ -82,11 +81,14 @@ pub(super) fn cut<V: Mix>(
     planes: u32,
     mut piece: impl FnMut(&[Vertex<V>; 3]),
 ) {
-    let mut polygon: Vec<Vertex<V>, CORNERS> = Vec::from_array(corners);
+    // Two polygons, by turns what is cut and what comes of it: only the references change places.
+    let (mut first, mut second): (Polygon<V>, Polygon<V>) = (Vec::from_array(corners), Vec::new());
+    let (mut from, mut to) = (&mut first, &mut second);
     for plane in (0..PLANES).filter(|plane| planes >> plane & 1 != 0) {
-        polygon = cut_by_plane(screen, &polygon, plane);
+        cut_by_plane(screen, from, plane, to);
+        swap(&mut from, &mut to);
     }
-    let Some((&first, rest)) = polygon.split_first() else { return };
+    let Some((&first, rest)) = from.split_first() else { return };
     for pair in rest.windows(2) {
         if let &[second, third] = pair {
             piece(&[first, second, third]);
@@ -94,40 +96,36 @@ pub(super) fn cut<V: Mix>(
     }
 }
 
+/// What is left of a triangle.
+type Polygon<V> = Vec<Vertex<V>, CORNERS>;
+
 /// The part of a polygon inside of a plane: corners inside, and a new one where a side crosses the plane.
-fn cut_by_plane<V: Mix>(screen: &Screen, polygon: &[Vertex<V>], plane: u32) -> Vec<Vertex<V>, CORNERS> {
-    let mut cut = Vec::new();
+fn cut_by_plane<V: Mix>(screen: &Screen, polygon: &Polygon<V>, plane: u32, cut: &mut Polygon<V>) {
+    cut.clear();
     // There is room for all: a convex polygon crosses a plane twice.
     let mut keep = |vertex| _ = cut.push(vertex);
-    let Some(&last) = polygon.last() else { return cut };
-    let (mut before, mut from) = (last, inside(screen, last.position, plane));
-    for &vertex in polygon {
+    let Some(mut before) = polygon.last() else { return };
+    let mut from = inside(screen, before.position, plane);
+    for vertex in polygon {
         let to = inside(screen, vertex.position, plane);
         if (from < 0) != (to < 0) {
             let [inner, outer] = if from < 0 { [(vertex, to), (before, from)] } else { [(before, from), (vertex, to)] };
             keep(crossing(inner, outer));
         }
         if to >= 0 {
-            keep(vertex);
+            keep(*vertex);
         }
         (before, from) = (vertex, to);
     }
-    cut
 }
 
 /// The corner where a side crosses a plane, from its inner end to its outer one: the same for both triangles of the side.
 #[inline(never)]
-fn crossing<V: Mix>((inner, d): (Vertex<V>, i64), (outer, e): (Vertex<V>, i64)) -> Vertex<V> {
+fn crossing<V: Mix>((inner, d): (&Vertex<V>, i64), (outer, e): (&Vertex<V>, i64)) -> Vertex<V> {
     let place = Barycentric { weights: [e.wrapping_neg(), d, 0], total: d.wrapping_sub(e) };
-    let (a, b) = (inner.position, outer.position);
-    let mean = |a: Vec3, b: Vec3| {
-        let ([ax, ay, az], [bx, by, bz]) = (a.to_bits(), b.to_bits());
-        Vec3::from_bits([[ax, bx], [ay, by], [az, bz]].map(|[a, b]| place.mix([a, b, a])))
-    };
-    let w = place.mix([a.w.to_bits(), b.w.to_bits(), a.w.to_bits()]);
-    let [x, y, z] = mean(a.xyz(), b.xyz()).to_bits();
-    Vertex {
-        position: Vec4::from_bits([x, y, z, w]),
-        values: V::mix(&place, [inner.values, outer.values, inner.values]),
-    }
+    let (a, b) = (inner.position.to_bits(), outer.position.to_bits());
+    let mut ends = a.into_iter().zip(b);
+    // There is one for each.
+    let position = [(); 4].map(|()| ends.next().map_or(0, |(a, b)| place.mix([a, b, a])));
+    Vertex { position: Vec4::from_bits(position), values: V::mix(&place, [inner.values, outer.values, inner.values]) }
 }

@@ -82,7 +82,8 @@ pub fn draw_cube(
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), Error> {
     let (width, height) = (cube::WIDTH, cube::HEIGHT);
-    let scene = cube::Scene::new(width, height, Angle::degrees(30) + Angle::turns(moment.into(), MOMENTS), Rgb565::from);
+    let scene =
+        cube::Scene::new(width, height, Angle::degrees(30) + Angle::turns(moment.into(), MOMENTS), Rgb565::from);
     for start in (0..height).step_by(rows.into()) {
         let band = start..height.min(start + rows);
         let mut frame = Framebuffer::<Rgb565>::band(&mut *colors, width, height, band.clone())?;

@@ -66,7 +66,8 @@ pub fn on_frame<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>)) {
 pub fn on_depth<F: PixelFormat>(draw: impl Fn(&mut Framebuffer<'_, F>, &mut DepthBuffer<'_, Depth16>)) {
     on_memory(|memory| {
         let (colors, depths) = memory.split_at_mut(BYTES / 2);
-        let (frame, depths) = (Framebuffer::new(colors, WIDTH, HEIGHT / 2), DepthBuffer::new(depths, WIDTH, HEIGHT / 2));
+        let (frame, depths) =
+            (Framebuffer::new(colors, WIDTH, HEIGHT / 2), DepthBuffer::new(depths, WIDTH, HEIGHT / 2));
         if let (Ok(mut frame), Ok(mut depths)) = (frame, depths) {
             draw(&mut frame, &mut depths);
         }
