@@ -142,7 +142,8 @@ fn report(options: &Options, totals: &Totals) -> Result<(), Box<dyn Error>> {
     let (Camera { width, height, .. }, bits) = (options.camera, counted(options.bits.into(), "bit"));
     writeln!(out, "{}: {width} x {height} at {bits} per pixel, {} view", options.out, options.view.name())?;
     let pictures = if options.frames > 1 { format!(" in {} pictures", options.frames) } else { String::new() };
-    writeln!(out, "drawn: {} triangles, {fragments} fragments{pictures}", last.triangles)?;
+    let [triangles, fragments] = [counted(last.triangles as u64, "triangle"), counted(*fragments, "fragment")];
+    writeln!(out, "drawn: {triangles}, {fragments}{pictures}")?;
     writeln!(out, "RAM: {} bytes of colour, {} of depth, {} of scratch", last.color, last.depth, last.scratch)?;
     Ok(())
 }

@@ -1,4 +1,5 @@
-//! What the simulator brings along: the paint program and the world.
+//! What the simulator brings along: the paint program, the teapot, and the world.
 
 mod paint;
+mod teapot;
 mod world;

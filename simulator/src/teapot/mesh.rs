@@ -81,8 +81,10 @@ impl Fit {
         }
         // Halves first: the sum of two numbers may be infinite.
         let mut fit = Self { middle: [0, 1, 2].map(|i| low[i] / 2.0 + high[i] / 2.0), largest: 1.0, scale: 1.0 };
-        let moved = places.iter().flat_map(|&place| fit.part(place));
-        fit.largest = moved.fold(f64::MIN_POSITIVE, |most, n| most.max(n.abs()));
+        let largest = places.iter().flat_map(|&place| fit.part(place)).fold(0.0, |most: f64, n| most.max(n.abs()));
+        if largest > 0.0 {
+            fit.largest = largest;
+        }
         let squares = places.iter().map(|&place| fit.part(place)).map(|part| dot(part, part));
         // At least 1, unless all places are one.
         fit.scale = f64::from(Mesh::RADIUS) / squares.fold(1.0, f64::max).sqrt();

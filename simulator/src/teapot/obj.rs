@@ -148,7 +148,7 @@ impl Lists {
             }
             "f" | "fo" => self.face(words)?,
             _ if IGNORED.contains(&statement) => {}
-            _ => return Err(format!("`{statement}` is no statement of an OBJ file")),
+            _ => return Err(format!("{} is no statement of an OBJ file", quoted(statement))),
         }
         Ok(())
     }
@@ -172,7 +172,7 @@ impl Lists {
         let mut parts = word.split('/');
         let (place, texel, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
         if parts.next().is_some() || normal == Some("") || texel == Some("") && normal.is_none() {
-            return Err(format!("`{word}` is no corner: that is V, V/VT, V//VN or V/VT/VN"));
+            return Err(format!("{} is no corner: that is V, V/VT, V//VN or V/VT/VN", quoted(word)));
         }
         let optional = |part: Option<&str>, len, what| {
             part.filter(|part| !part.is_empty()).map(|part| entry(part, len, what)).transpose()
@@ -264,11 +264,11 @@ fn cut(outline: &[PointFx]) -> Option<Vec<[u16; 3]>> {
 
 /// The number of an entry of a list of `len`, from 0 on: the file counts from 1, or back from the end.
 fn entry(word: &str, len: usize, what: &str) -> Result<usize, String> {
-    let number = i64::from_str(word).map_err(|_| format!("`{word}` is no number of a {what}"))?;
+    let number = i64::from_str(word).map_err(|_| format!("{} is no number of a {what}", quoted(word)))?;
     let from_start = usize::try_from(number).ok().and_then(|number| number.checked_sub(1));
     let from_end = usize::try_from(number.unsigned_abs()).ok().and_then(|number| len.checked_sub(number));
     let at = if number < 0 { from_end } else { from_start };
-    at.filter(|&at| at < len).ok_or_else(|| format!("`{word}` is no {what}: there are {len} so far"))
+    at.filter(|&at| at < len).ok_or_else(|| format!("{} is no {what}: there are {len} so far", quoted(word)))
 }
 
 /// The first numbers of a line.
@@ -279,5 +279,13 @@ fn numbers<'a, const N: usize>(words: impl Iterator<Item = &'a str>, rule: &str)
 
 /// A number that is not infinite.
 pub(super) fn real(word: &str) -> Result<f64, String> {
-    f64::from_str(word).ok().filter(|n| n.is_finite()).ok_or_else(|| format!("`{word}` is not a number"))
+    f64::from_str(word).ok().filter(|n| n.is_finite()).ok_or_else(|| format!("{} is not a number", quoted(word)))
+}
+
+/// The start of a word, on one line whatever is in it.
+pub(super) fn quoted(word: &str) -> String {
+    const MOST: usize = 24;
+    let start: String = word.chars().take(MOST).flat_map(char::escape_debug).collect();
+    let rest = if word.chars().nth(MOST).is_some() { "..." } else { "" };
+    format!("`{start}{rest}`")
 }

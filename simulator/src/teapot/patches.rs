@@ -10,7 +10,7 @@ use fixed::types::I16F16;
 
 use super::{
     mesh::{units, Corner, Fit, Mesh},
-    obj::real,
+    obj::{quoted, real},
     ParseError,
 };
 
@@ -90,13 +90,14 @@ fn read(line: &str, places: &mut Vec<[f64; 3]>, patches: &mut Vec<[[usize; 4]; 4
         }
         Some("p") => {
             let number = |word| usize::from_str(word).ok()?.checked_sub(1).filter(|&at| at < places.len());
-            let known =
-                |word| number(word).ok_or_else(|| format!("`{word}` is no control point: there are {}", places.len()));
+            let known = |word| {
+                number(word).ok_or_else(|| format!("{} is no control point: there are {}", quoted(word), places.len()))
+            };
             let all: Vec<usize> = words.map(known).collect::<Result<_, _>>()?;
             let numbers = <[usize; 16]>::try_from(all).map_err(|_| "a patch is `p` and sixteen numbers")?;
             patches.push([0, 4, 8, 12].map(|row| [0, 1, 2, 3].map(|column| numbers[row + column])));
         }
-        Some(word) => return Err(format!("`{word}` is neither `v` nor `p`")),
+        Some(word) => return Err(format!("{} is neither `v` nor `p`", quoted(word))),
     }
     Ok(())
 }
