@@ -1,22 +1,36 @@
 //! The list of everything that draws.
 //!
 //! Whoever has to call all of it takes it from here: the proofs that no call can panic, on computers and on chips, the tests with
-//! wild arguments, and the fuzz target that compares sequences of calls. A test in `tests/calls.rs` reads the sources of the crate,
-//! and fails when a method of `Canvas`, `Surface` or `Readable`, or a function of `raster` or `eg`, is missing here.
+//! wild arguments, and the fuzz target that compares sequences of calls. There are four lists:
+//!
+//! | list | what it calls | on |
+//! |---|---|---|
+//! | [`draw`] | what draws without reading | any surface |
+//! | [`read`] | what reads as well | a surface that can be read |
+//! | [`frames::call`] | what only memory has | a frame |
+//! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
 //!
 //! What computes in space has a list of its own, [`space`].
+//!
+//! A call is named as what it calls: the type, the trait or the module, and the function. A test in `tests/calls.rs` reads the
+//! sources of the crate, and fails when something public is missing here.
 #![no_std]
 
+pub mod answer;
+pub mod computing;
+pub mod frames;
 pub mod space;
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
-    geometry::{OriginDimensions, Point},
+    geometry::{Dimensions, OriginDimensions, Point},
+    pixelcolor::BinaryColor,
     primitives::Rectangle,
     Pixel,
 };
 use embedded_raster::{
     eg,
+    geom::triangulate::SideSlot,
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
@@ -68,38 +82,81 @@ pub struct Arguments<'a, L: Layout> {
     pub picture: Frame<&'a [u8], L>,
     /// To paint through.
     pub mask: Frame<&'a [u8], Rows<Lsb0<Index1>>>,
+    /// The same in the other order of bits.
+    pub mask_msb0: Frame<&'a [u8], Rows<Index1>>,
+    /// What shapes are clipped against where there is no surface.
+    pub window: Rect,
+    /// Numbers without a meaning.
+    pub numbers: [i32; 6],
+    /// Memory to read: pixels, indices.
+    pub bytes: &'a [u8],
+    /// Memory to write.
+    pub out: &'a mut [u8],
+    /// Where further contours begin in `contour`.
+    pub starts: &'a [u16],
+    /// Scratch memory of triangulations.
+    pub sides: &'a mut [SideSlot],
+    /// Triangles out of a triangulation, and to refine.
+    pub triangles: &'a mut [[u16; 3]],
+    /// Scratch memory of refinements.
+    pub neighbours: &'a mut [[u16; 3]],
 }
 
-/// Calls by name; each makes a constant list and a `match`, so none can be in one and not in the other.
+/// A list of calls: its names, and a function that makes the call of a number. Both come from the same lines, so none can be in
+/// one and not in the other.
 macro_rules! calls {
-    ($on:ident, $a:ident, $c:ident, $window:ident; $($name:ident => $call:expr;)*) => {
-        /// The names of the calls.
-        pub const NAMES: &[&str] = &[$(stringify!($name)),*];
+    (
+        $(#[$doc:meta])* $names:ident, $function:ident[$($generics:tt)*]($on:ident: $type:ty, $a:ident)
+        { $($prelude:tt)* }
+        $([$owner:ident] $($name:ident => $call:expr;)*)*
+    ) => {
+        #[doc = concat!("The names of the calls of [`", stringify!($function), "`].")]
+        pub const $names: &[&str] = &[$($(concat!(stringify!($owner), "::", stringify!($name))),*),*];
 
-        #[allow(non_camel_case_types, reason = "named as what they call")]
-        #[derive(Clone, Copy, PartialEq, Eq)]
-        enum Name { $($name),* }
-
-        const ALL: &[Name] = &[$(Name::$name),*];
-
-        /// Makes the call of a number below that of [`NAMES`], on a surface with colours as its picture has them. Says what a call
-        /// answered: slots, columns, or whether it failed, as a number.
-        pub fn call<S, L>($on: &mut S, $a: &mut Arguments<'_, L>, number: usize) -> usize
-        where
-            S: Readable<Color = L::Color>,
-            L: Layout,
-        {
-            let Some(name) = ALL.get(number) else { return 0 };
-            let ($c, $window) = ($a.colors[0], $on.window());
-            match name {
-                $(Name::$name => $call.answer(),)*
-            }
+        $(#[$doc])*
+        /// What a call answered is returned as a number.
+        pub fn $function<$($generics)*>($on: $type, $a: &mut $crate::Arguments<'_, L>, number: usize) -> usize {
+            $($prelude)*
+            let mut numbers = 0..usize::MAX;
+            $($(
+                if numbers.next() == Some(number) {
+                    return $crate::answer::Answer::answer($call);
+                }
+            )*)*
+            0
         }
     };
 }
+pub(crate) use calls;
 
-calls! { on, a, c, window;
-    // Canvas
+/// How many calls [`call`] knows.
+pub const COUNT: usize = DRAWING.len() + READING.len();
+
+/// The name of a call of [`call`].
+pub fn name(number: usize) -> &'static str {
+    DRAWING.iter().chain(READING).nth(number).copied().unwrap_or_default()
+}
+
+/// Makes the call of a number below [`COUNT`]: those of [`draw`], then those of [`read`].
+pub fn call<S, L>(on: &mut S, a: &mut Arguments<'_, L>, number: usize) -> usize
+where
+    S: Readable<Color = L::Color>,
+    L: Layout,
+{
+    match number.checked_sub(DRAWING.len()) {
+        Some(number) => read(on, a, number),
+        None => draw(on, a, number),
+    }
+}
+
+calls! {
+    /// Draws on any surface with colours as the picture of the arguments has them, by the call of a number below that of
+    /// [`DRAWING`].
+    DRAWING, draw[S: Surface<Color = L::Color>, L: Layout](on: &mut S, a)
+    {
+        let (c, window) = (a.colors[0], on.window());
+    }
+    [Canvas]
     paint => on.paint(Solid(c), |window, brush| triangle::fill(a.corners_fx(), window, brush));
     fill_window => on.fill_window(c);
     draw_point => on.draw_point(a.points[0], c);
@@ -114,8 +171,8 @@ calls! { on, a, c, window;
     fill_triangle => on.fill_triangle(a.points, c);
     fill_triangle_fx => on.fill_triangle_fx(a.corners_fx(), c);
     shade_triangle_fx => {
-        let (corners, [first, second]) = (a.corners_fx(), a.colors);
-        on.shade_triangle_fx(corners, [(0_u8, -9_i32), (128, i32::MAX), (255, 4)], |(level, number)| {
+        let [first, second] = a.colors;
+        on.shade_triangle_fx(a.corners_fx(), [(0_u8, -9_i32), (128, i32::MAX), (255, 4)], |(level, number)| {
             if u32::from(level) & 1 == number.unsigned_abs() & 1 { first } else { second }
         })
     };
@@ -147,22 +204,62 @@ calls! { on, a, c, window;
     blit => on.blit(a.points[0], &a.picture);
     blit_keyed => on.blit_keyed(a.points[0], &a.picture, a.colors[1]);
     blit_mask => on.blit_mask(a.points[0], &a.mask, c, a.flag.then_some(a.colors[1]));
+    [Surface]
+    fill_span => a.span().clip(window).map(|span| on.fill_span(span, c));
+    fill_area => on.fill_area(a.areas[0], c);
+    fill_steps => embedded_raster::raster::line::clip(a.points[0], a.points[1], window).map(|steps| on.fill_steps(steps, c));
+    fill_octants => octants(a.areas[0], window.union(a.areas[1])).map(|octants| {
+        // A surface that cannot, or does not see all of it, is given the same pixels in spans.
+        if !on.fill_octants(octants, c) {
+            on.draw_ellipse(a.areas[0], c);
+        }
+    });
+    set => on.set(a.points[0], c);
+    write_span => a.span().clip(window).map(|span| on.write_span(span, |x| a.alternate(x)));
+    write_some => a.span().clip(window).map(|span| on.write_some(span, |x| (x & 4 == 0).then(|| a.alternate(x))));
+    copy_picture => on.copy_picture(a.points[0], &a.picture, a.flag.then_some(a.colors[1]));
+    copy_mask => on.copy_mask(a.points[0], &a.mask_msb0, c, a.flag.then_some(a.colors[1]));
+    [eg]
+    target => eg::target(on).fill_solid(&a.rectangle(), c).is_err();
+    draw_on => {
+        // Its own window is a foreign one here: pixels go the long way through a `DrawTarget`, and back.
+        let (corners, area) = (a.corners_fx(), a.areas[0]);
+        eg::draw_on(&mut Foreign(on), |canvas| {
+            canvas.fill_triangle_fx(corners, c);
+            canvas.draw_rectangle(area, c);
+            canvas.draw_line(a.points[0], a.points[1], c);
+        }).is_err()
+    };
+    recolored => a.recolored(on, |target, _, on| target.clear(on).is_err());
+    [SurfaceTarget]
+    bounding_box => (!window.is_empty()).then(|| eg::target(on).bounding_box());
+    draw_iter => eg::target(on).draw_iter(a.points.map(|at| Pixel(at, a.alternate(at.x)))).is_err();
+    fill_contiguous => eg::target(on).fill_contiguous(&a.rectangle(), a.stream()).is_err();
+    fill_solid => eg::target(on).fill_solid(&a.rectangle(), c).is_err();
+    [Recolored]
+    bounding_box => (!window.is_empty()).then(|| a.recolored(on, |target, _, _| target.bounding_box()));
+    draw_iter => a.recolored(on, |target, a, flag| target.draw_iter(a.points.map(|at| Pixel(at, flag)))).is_err();
+    fill_contiguous => {
+        let flags = (0..a.bytes.len()).map(|i| BinaryColor::from(i % 3 == 0));
+        a.recolored(on, |target, a, _| target.fill_contiguous(&a.rectangle(), flags)).is_err()
+    };
+    fill_solid => a.recolored(on, |target, a, flag| target.fill_solid(&a.rectangle(), flag)).is_err();
+    clear => a.recolored(on, |target, _, flag| target.clear(flag)).is_err();
+}
+
+calls! {
+    /// Draws and reads by the call of a number below that of [`READING`], on a surface that can be read.
+    READING, read[S: Readable<Color = L::Color>, L: Layout](on: &mut S, a)
+    {
+        let (c, window) = (a.colors[0], on.window());
+    }
+    [Canvas]
     move_area => on.move_area(a.areas[0], a.points[0]);
     move_area_keyed => on.move_area_keyed(a.areas[0], a.points[0], a.colors[1]);
     flood_fill => on.flood_fill(a.points[0], a.connectivity(), a.slots, c);
     flood_fill_to => on.flood_fill_to(a.points[0], a.colors[1], a.connectivity(), a.slots, c);
-    // Surface
-    fill_span => a.span().clip(window).map(|span| on.fill_span(span, c));
-    fill_area => on.fill_area(a.areas[0], c);
-    fill_steps => embedded_raster::raster::line::clip(a.points[0], a.points[1], window).map(|steps| on.fill_steps(steps, c));
-    fill_octants => octants(a.areas[0], window).is_some_and(|octants| on.fill_octants(octants, c));
-    set => on.set(a.points[0], c);
-    write_span => a.span().clip(window).map(|span| on.write_span(span, |x| a.alternate(x)));
-    write_some => a.span().clip(window).map(|span| on.write_some(span, |x| (x & 4 == 0).then(|| a.alternate(x))));
-    copy_picture => on.copy_picture(a.points[0], &a.picture, Some(a.colors[1]));
-    copy_mask => on.copy_mask(a.points[0], &a.mask, c, None);
-    // Readable
-    color_at => (!window.is_empty() && on.color_at(window.x0, window.y0) == c);
+    [Readable]
+    color_at => !window.is_empty() && on.color_at(window.x0, window.y0) == c;
     get => on.get(a.points[0]) == Some(c);
     read_span => a.span().clip(window).map_or(0, |span| {
         let mut same = 0_usize;
@@ -174,31 +271,26 @@ calls! { on, a, c, window;
     find_start => a.span().clip(window).map_or(0, |span| on.find_start(span, |color| color == c));
     fill_corridor => on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
     copy_area => on.copy_area(a.areas[0], a.points[0], None);
-    // Functions of raster that no method of Canvas calls
-    walk_blocks => on.paint(Solid(c), |window, brush| triangle::walk_blocks(a.corners_fx(), window, brush));
-    walk => on.paint(Solid(c), |window, brush| triangle::walk(a.corners_fx(), window, brush));
-    // eg
-    target => eg::target(on).fill_contiguous(&a.rectangle(), core::iter::repeat(c)).is_err();
-    draw_on => {
-        // Its own window is a foreign one here: pixels go the long way through a `DrawTarget`, and back.
-        let (corners, area) = (a.corners_fx(), a.areas[0]);
-        eg::draw_on(&mut Foreign(on), |canvas| {
-            canvas.fill_triangle_fx(corners, c);
-            canvas.draw_rectangle(area, c);
-            canvas.draw_line(a.points[0], a.points[1], c);
-        }).is_err()
-    };
-    recolored => {
-        let (rectangle, [first, second]) = (a.rectangle(), a.colors);
-        let mut target = eg::target(on);
-        let mut target = eg::recolored(&mut target, |flag: embedded_graphics_core::pixelcolor::BinaryColor| {
-            if flag.is_on() { first } else { second }
-        });
-        target.fill_solid(&rectangle, embedded_graphics_core::pixelcolor::BinaryColor::On).is_err()
-    };
 }
 
 impl<L: Layout> Arguments<'_, L> {
+    /// Does something on a surface of two colours: off and on are the two of the arguments. Gives the flag as a colour, too.
+    fn recolored<S: Surface<Color = L::Color>, R>(
+        &self,
+        on: &mut S,
+        act: impl FnOnce(&mut Flags<'_, '_, S>, &Self, BinaryColor) -> R,
+    ) -> R {
+        let [first, second] = self.colors;
+        let convert: &dyn Fn(BinaryColor) -> S::Color = &|flag| if flag.is_on() { first } else { second };
+        act(&mut eg::recolored(&mut eg::target(on), convert), self, self.flag.into())
+    }
+
+    /// As many colours as there are bytes.
+    fn stream(&self) -> impl Iterator<Item = L::Color> {
+        let [first, second] = self.colors;
+        (0..self.bytes.len()).map(move |i| if i % 3 == 0 { first } else { second })
+    }
+
     fn corners_fx(&self) -> [PointFx; 3] {
         let [a, b, c, _] = self.places;
         [a, b, c]
@@ -235,6 +327,10 @@ impl<L: Layout> Arguments<'_, L> {
     }
 }
 
+/// A surface of two colours.
+type Flags<'a, 'b, S> =
+    eg::Recolored<'a, eg::SurfaceTarget<'b, S>, BinaryColor, &'a dyn Fn(BinaryColor) -> <S as Surface>::Color>;
+
 /// The circle in a box, if it lies in the window as a whole: what its outline says.
 fn octants(area: Rect, window: Rect) -> Option<embedded_raster::Octants> {
     struct Catch(Option<embedded_raster::Octants>);
@@ -268,46 +364,5 @@ impl<S: Surface> DrawTarget for Foreign<'_, S> {
     fn draw_iter<I: IntoIterator<Item = Pixel<S::Color>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
         pixels.into_iter().for_each(|Pixel(at, color)| self.0.set(at, color));
         Ok(())
-    }
-}
-
-/// What a call says, as a number.
-trait Answer {
-    fn answer(self) -> usize;
-}
-
-impl Answer for () {
-    fn answer(self) -> usize {
-        0
-    }
-}
-
-impl Answer for usize {
-    fn answer(self) -> usize {
-        self
-    }
-}
-
-impl Answer for i32 {
-    fn answer(self) -> usize {
-        self.unsigned_abs() as usize
-    }
-}
-
-impl Answer for bool {
-    fn answer(self) -> usize {
-        self.into()
-    }
-}
-
-impl<T> Answer for Option<T> {
-    fn answer(self) -> usize {
-        self.is_some().into()
-    }
-}
-
-impl<T, E> Answer for Result<T, E> {
-    fn answer(self) -> usize {
-        self.is_err().into()
     }
 }
