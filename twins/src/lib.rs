@@ -17,9 +17,11 @@
     reason = "a panic is how a test fails"
 )]
 
+pub mod arguments;
 pub mod curves;
 pub mod frame;
 pub mod hits;
+pub mod input;
 pub mod letters;
 pub mod memory;
 pub mod meshes;
@@ -28,6 +30,7 @@ pub mod planes;
 pub mod rng;
 pub mod rounds;
 pub mod scenes;
+pub mod sequences;
 mod shapes;
 pub mod strokes;
 pub mod textures;
