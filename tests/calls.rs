@@ -74,7 +74,7 @@ fn the_list_is_complete() {
 fn nothing_hides_from_the_finder() {
     let mut source = Source::default();
     source.add(
-        r####"
+        r##"
         //! pub fn in_a_comment() {}
         /* pub fn in_one /* inside another */ pub fn still_in_it() {} */
         use core::fmt;
@@ -127,7 +127,7 @@ fn nothing_hides_from_the_finder() {
         }
         make! { Made }
         pub fn last() {}
-        "####,
+        "##,
         "module",
     );
     let names = source.names();

@@ -23,7 +23,7 @@ pub mod space;
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
-    geometry::{Dimensions, OriginDimensions, Point},
+    geometry::{Dimensions, Point},
     pixelcolor::BinaryColor,
     primitives::Rectangle,
     Pixel,
@@ -208,7 +208,7 @@ calls! {
     fill_span => a.span().clip(window).map(|span| on.fill_span(span, c));
     fill_area => on.fill_area(a.areas[0], c);
     fill_steps => embedded_raster::raster::line::clip(a.points[0], a.points[1], window).map(|steps| on.fill_steps(steps, c));
-    fill_octants => octants(a.areas[0], window.union(a.areas[1])).map(|octants| {
+    fill_octants => octants(a.areas[0], window.inset(-40)).map(|octants| {
         // A surface that cannot, or does not see all of it, is given the same pixels in spans.
         if !on.fill_octants(octants, c) {
             on.draw_ellipse(a.areas[0], c);
@@ -349,11 +349,9 @@ fn octants(area: Rect, window: Rect) -> Option<embedded_raster::Octants> {
 /// A surface seen as a display driver of somebody else: pixel by pixel.
 struct Foreign<'a, S>(&'a mut S);
 
-impl<S: Surface> OriginDimensions for Foreign<'_, S> {
-    fn size(&self) -> embedded_graphics_core::geometry::Size {
-        let window = self.0.window();
-        let side = |n: i32| u32::try_from(n).unwrap_or(0);
-        embedded_graphics_core::geometry::Size::new(side(window.x1), side(window.y1))
+impl<S: Surface> Dimensions for Foreign<'_, S> {
+    fn bounding_box(&self) -> Rectangle {
+        self.0.window().into()
     }
 }
 

@@ -329,12 +329,11 @@ fn implementation(head: &[String]) -> (Option<String>, String) {
             ">" if !arrow => depth -= 1,
             "where" if depth == 0 => break,
             "for" if depth == 0 => part = 1,
+            "mut" | "dyn" => {}
             // The last word of a path counts.
-            word if depth == 0 && word != "mut" && word != "dyn" => {
-                if word.starts_with(|c: char| c.is_alphabetic() || c == '_') {
-                    let sign = if i > 0 && head[i - 1] == "$" { "$" } else { "" };
-                    parts[part] = format!("{sign}{word}");
-                }
+            word if depth == 0 && word.starts_with(|c: char| c.is_alphabetic() || c == '_') => {
+                let sign = if i > 0 && head[i - 1] == "$" { "$" } else { "" };
+                parts[part] = format!("{sign}{word}");
             }
             _ => {}
         }

@@ -104,7 +104,7 @@ impl Scratch {
             stroke: Stroke::new(on.length())
                 .with_cap(on.input.pick(&[Cap::Butt, Cap::Round, Cap::Square]))
                 .with_join(on.input.pick(&[Join::Miter, Join::Round, Join::Bevel]))
-                .with_miter_limit(I24F8::from_bits(on.input.wild())),
+                .with_miter_limit(on.length()),
             dashes: &self.dashes,
             phase: I24F8::from_bits(on.input.wild()),
             flag: on.input.one_in(2),
@@ -129,7 +129,7 @@ impl Scratch {
         self.corners.clear();
         self.corners.extend((0..on.input.index(6)).map(|_| on.point()));
         self.contour.clear();
-        if on.input.one_in(4) {
+        if on.input.one_in(4) && !matches!(on.ground, Ground::Close(..)) {
             // On a coarse grid places meet.
             let place = |_| PointFx::px(on.input.within(0, 3), on.input.within(0, 3));
             self.contour.extend((0..12).map(place));

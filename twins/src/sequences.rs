@@ -128,11 +128,10 @@ impl<F: PixelFormat> Readable for Plain<'_, F> {
 }
 
 /// Calls the frame at the end of a way of views and clips.
-fn at_the_end<L: Layout, R>(
-    frame: &mut Frame<&mut [u8], L>,
-    steps: &[Step],
-    act: &mut dyn FnMut(&mut Frame<&mut [u8], L>) -> R,
-) -> R {
+fn at_the_end<L: Layout, R, A>(frame: &mut Frame<&mut [u8], L>, steps: &[Step], act: &mut A) -> R
+where
+    A: FnMut(&mut Frame<&mut [u8], L>) -> R,
+{
     match steps.split_first() {
         None => act(frame),
         Some((Step::View(area), rest)) => at_the_end(&mut frame.view(*area), rest, act),
@@ -167,15 +166,19 @@ fn call_past_the_window<L: Layout>(
     number: usize,
 ) -> Option<usize> {
     let (window, area, [from, to, _]) = (frame.window(), a.areas[0], a.points);
-    let around = Rect::new(window.x0 - 50, window.y0 - 50, window.x1 + 50, window.y1 + 50);
+    let around = window.inset(-50);
     let span = Span { y: area.y0, x0: area.x0, x1: area.x1 };
     match calls::name(number) {
         "Surface::fill_span" => {
-            span.clip(around).map(|span| frame.fill_span(span, a.colors[0]));
+            if let Some(span) = span.clip(around) {
+                frame.fill_span(span, a.colors[0]);
+            }
             Some(span.clip(window).is_some().into())
         }
         "Surface::fill_steps" => {
-            line::clip(from, to, around).map(|steps| frame.fill_steps(steps, a.colors[0]));
+            if let Some(steps) = line::clip(from, to, around) {
+                frame.fill_steps(steps, a.colors[0]);
+            }
             Some(line::clip(from, to, window).is_some().into())
         }
         _ => None,
@@ -193,7 +196,7 @@ fn copied<L: Layout, F: PixelFormat<Color = L::Color>>(
     match calls::name(number) {
         "Canvas::blit" => on.put(a.points[0], a.picture.window(), |at| a.picture.get(at)),
         "Canvas::blit_keyed" => {
-            on.put(a.points[0], a.picture.window(), |at| a.picture.get(at).filter(|&c| keyed != Some(c)))
+            on.put(a.points[0], a.picture.window(), |at| a.picture.get(at).filter(|&c| keyed != Some(c)));
         }
         "Surface::copy_picture" => {
             on.put(a.points[0], a.picture.window(), |at| a.picture.get(at).filter(|&c| off != Some(c)));
@@ -298,14 +301,14 @@ impl<L: Layout, F: PixelFormat<Color = L::Color>> Run<L, F> {
         let (start, gap) = (input.index(8), input.pick(&[0, 0, 1, 2, 3, 5]));
         let page = format.page();
         // Rows before and after a band; a band of pages begins with a page, and ends with one or with the screen.
-        let band = (kind & 3 == 0).then(|| input.below(40) as u16 * page);
+        let band = (kind % 4 == 0).then(|| input.below(40) as u16 * page);
         let after = if rows.is_multiple_of(page) { input.below(9) as u16 } else { 0 };
         let gap = if band.is_some() { 0 } else { gap };
         let mut twin = Naive::random(&mut rng, format, (width, rows), start, gap);
         let palette = [(); 3].map(|()| format.random(&mut rng));
         // Noise stops every flood at once. Others begin with an empty picture, or with stripes.
         for (x, y) in pixels(twin.window()) {
-            match kind >> 2 & 3 {
+            match kind / 4 % 4 {
                 0 => {}
                 1 => twin.set(x, y, palette[usize::from(x % 5 == 0 && y % 7 != 0)]),
                 _ => twin.set(x, y, palette[0]),
