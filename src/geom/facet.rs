@@ -117,7 +117,7 @@ impl Facet {
 
     /// The first pixel of its box.
     #[inline(always)]
-    pub(super) const fn first(&self) -> (i32, i32) {
+    pub(crate) const fn first(&self) -> (i32, i32) {
         self.first
     }
 

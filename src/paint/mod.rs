@@ -27,6 +27,8 @@
 mod brush;
 pub mod colors;
 pub mod depth;
+mod dither;
+pub mod gradient;
 mod shade;
 mod solid;
 mod traits;
@@ -34,6 +36,8 @@ mod traits;
 pub use self::{
     brush::Brush,
     depth::DepthShade,
+    dither::{Bayer, Here},
+    gradient::{Linear, Outside, Radial},
     shade::{Shade, ShadeSome},
     solid::Solid,
     traits::Paint,

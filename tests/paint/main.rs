@@ -2,5 +2,6 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "random numbers, cut on purpose")]
 
 mod depth;
+mod gradient;
 mod shade;
 mod texture;

@@ -20,6 +20,7 @@
 pub mod arguments;
 pub mod curves;
 pub mod frame;
+pub mod gradients;
 pub mod hits;
 pub mod input;
 pub mod letters;
