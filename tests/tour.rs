@@ -13,10 +13,11 @@ use std::{env, fs, path::Path};
 
 use embedded_graphics_core::{
     geometry::Point,
-    pixelcolor::{Rgb565, Rgb888},
+    pixelcolor::{Gray4, Rgb565, Rgb888},
 };
 use embedded_raster::{
     buffer_bytes,
+    paint::{Bayer, Here},
     pixel::EGA,
     raster::{
         ellipse,
@@ -35,7 +36,8 @@ const ZOOM: usize = 4;
 type Program = fn() -> Result<Picture, Error>;
 
 /// Pictures whose program stands above them on the page.
-const PROGRAMS: [(&str, Program); 3] = [("first-program", first_program), ("paints", paints), ("reading", reading)];
+const PROGRAMS: [(&str, Program); 4] =
+    [("first-program", first_program), ("paints", paints), ("dither", dither), ("reading", reading)];
 
 fn first_program() -> Result<Picture, Error> {
     let mut ram = [0; buffer_bytes::<Index4>(64, 48)]; // 1,536 bytes
@@ -77,6 +79,16 @@ fn paints() -> Result<Picture, Error> {
         }
     }));
     Ok(Picture::indexed(&frame, &palette).zoomed(ZOOM))
+}
+
+fn dither() -> Result<Picture, Error> {
+    let mut ram = [0; buffer_bytes::<Gray4>(128, 48)];
+    let mut frame = Framebuffer::<Gray4>::new(&mut ram, 128, 48)?;
+    let corners = |x: i32| [(x + 4, 44), (x + 30, 3), (x + 60, 40)].map(|(x, y)| PointFx::px(x, y));
+    let levels = [20, 250, 90].map(|level: u8| (level, Here::default()));
+    frame.shade_triangle_fx(corners(0), levels, |(level, _)| Gray4::new(level >> 4))?;
+    frame.shade_triangle_fx(corners(64), levels, |(level, here)| Gray4::new(Bayer::<4>::shade(level, 15, here.0)))?;
+    Ok(Picture::of(&frame).zoomed(ZOOM))
 }
 
 fn reading() -> Result<Picture, Error> {

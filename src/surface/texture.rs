@@ -261,13 +261,13 @@ impl Outside for Tile {
 pub struct Period {
     start: usize,
     /// After how many they come again.
-    period: u32,
-    /// A multiple of the period, from 2^17 to 2^18.
+    length: u32,
+    /// A multiple of the length, from 2^17 to 2^18.
     bias: u32,
-    /// `floor(2^(31 + s) / period) + 1`, where `2^s` is the highest power of two that is not above the period, and s the shift.
+    /// `floor(2^(31 + s) / length) + 1`, where `2^s` is the highest power of two that is not above the length, and s the shift.
     ///
-    /// So `n inverse / 2^(31 + s)` is above `n / period` by at most `n / 2^(31 + s)`. For n below 2^19 that is less than
-    /// `1 / period`, and both have the same whole part.
+    /// So `n inverse / 2^(31 + s)` is above `n / length` by at most `n / 2^(31 + s)`. For n below 2^19 that is less than
+    /// `1 / length`, and both have the same whole part.
     inverse: u32,
     shift: u32,
 }
@@ -279,8 +279,8 @@ impl Period {
         let divisor = Divisor::new(period);
         let (inverse, _) = divisor.div_rem(1 << 31_u32.wrapping_add(shift));
         let (times, _) = divisor.div_rem(u64::from(period.get()).wrapping_add(1 << 17));
-        let period = period.get();
-        Self { start, period, bias: times.wrapping_mul(period), inverse: inverse.wrapping_add(1), shift }
+        let length = period.get();
+        Self { start, length, bias: times.wrapping_mul(length), inverse: inverse.wrapping_add(1), shift }
     }
 
     /// The rest of a division by the period.
@@ -288,7 +288,7 @@ impl Period {
     fn rest(&self, i: i32) -> u32 {
         let n = unsigned(i).wrapping_add(self.bias);
         let product = u64::from(n << 1).wrapping_mul(self.inverse.into());
-        n.wrapping_sub((low_u32(product >> 32) >> (self.shift & 31)).wrapping_mul(self.period))
+        n.wrapping_sub((low_u32(product >> 32) >> (self.shift & 31)).wrapping_mul(self.length))
     }
 }
 
@@ -317,6 +317,6 @@ impl Outside for Mirror {
     #[inline(always)]
     fn place(axis: &Period, i: i32) -> usize {
         let at = axis.rest(i);
-        axis.start.wrapping_add(at.min(axis.period.wrapping_sub(1).wrapping_sub(at)) as usize)
+        axis.start.wrapping_add(at.min(axis.length.wrapping_sub(1).wrapping_sub(at)) as usize)
     }
 }

@@ -1,4 +1,11 @@
 //! Values in perspective against exact ratios at every pixel.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    clippy::float_arithmetic,
+    reason = "random numbers, cut on purpose; bounds of runs are irrational"
+)]
 
 use embedded_raster::{
     geom::{Facet, Fast, Perspective, Plane, Runs, Varying},
@@ -89,7 +96,7 @@ fn check<V: Copy>(
             let distance = w.iter().map(|&w| i128::from(w)).product::<i128>() * area;
             let off = (i128::from(at.w.to_bits()) * d - distance).abs();
             assert!(
-                off <= 2 * d + (distance * i128::from(ratio) >> 27),
+                off <= 2 * d + ((distance * i128::from(ratio)) >> 27),
                 "{units:?} {w:?} at {x}, {}: w {}",
                 span.y(),
                 at.w

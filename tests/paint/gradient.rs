@@ -179,7 +179,7 @@ fn gradients_tell_the_pixel() {
 
 /// Of the pixels of a block, the share of the upper shade is the nearest to where the level lies.
 fn shares<const N: u32>() {
-    let n = N as i32;
+    let n = i32::try_from(N).unwrap();
     for corner in [0, 7, -9, i32::MIN, i32::MAX - 7] {
         let block: Vec<Point> = (0..n)
             .flat_map(|y| (0..n).map(move |x| Point::new(corner.wrapping_add(x), (3 - corner).wrapping_add(y))))
@@ -195,7 +195,10 @@ fn shares<const N: u32>() {
                 (2 * u64::from(level) * u64::from(most) * u64::from(N * N) + u64::from(all)) / (2 * u64::from(all));
             assert_eq!(u64::from(sum), wanted, "level {level} of {all} in shades to {most}, blocks of {N}");
             let lower = level * u32::from(most) / all;
-            assert!(block.iter().all(|&at| [lower, lower + 1].contains(&shade(at).into())));
+            assert!(
+                block.iter().all(|&at| [lower, lower + 1].contains(&shade(at).into())),
+                "level {level}: other shades"
+            );
         };
         for most in [1, 3, 15, 31, 63, 255] {
             for level in 0..=255 {

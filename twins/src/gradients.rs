@@ -37,7 +37,7 @@ pub fn radial(centre_at: Units, radius: i32, outside: usize, x: i32, y: i32) -> 
     let period = if outside == 1 { 255 } else { 510 };
     let (mut low, mut high) = (0_i128, 1 << 25);
     while high - low > 1 {
-        let middle = (low + high) / 2;
+        let middle = low + (high - low) / 2;
         if reached(2 * period * middle) {
             low = middle;
         } else {
