@@ -261,11 +261,9 @@ struct Options {
     window: bool,
 }
 
-impl Options {
-    /// `None` if help was asked for.
-    fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
-        use lexopt::prelude::*;
-        let mut options = Self {
+impl Default for Options {
+    fn default() -> Self {
+        Self {
             input: None,
             view: View::Gouraud,
             camera: Camera::new(320, 240),
@@ -275,7 +273,15 @@ impl Options {
             out: "teapot.png".into(),
             kind: Kind::Png,
             window: false,
-        };
+        }
+    }
+}
+
+impl Options {
+    /// `None` if help was asked for.
+    fn from_command_line() -> Result<Option<Self>, lexopt::Error> {
+        use lexopt::prelude::*;
+        let mut options = Self::default();
         let mut arguments = lexopt::Parser::from_env();
         while let Some(argument) = arguments.next()? {
             match argument {
@@ -329,5 +335,59 @@ fn parse_kind(text: &str) -> Result<Kind, &'static str> {
         Some("png" | "apng") => Ok(Kind::Png),
         Some("gif") => Ok(Kind::Gif),
         _ => Err("a name that ends with .png, .apng or .gif"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_are_what_the_usage_says() {
+        assert!(View::ALL.iter().all(|view| USAGE.contains(view.name()) && parse_view(view.name()) == Ok(*view)));
+        assert!(parse_view("solid").is_err_and(|error| error.starts_with("one of wire, flat, ")));
+        assert_eq!((parse_size("160x120"), parse_size("1X4096")), (Ok((160, 120)), Ok((1, 4096))));
+        assert!(["", "160", "0x1", "1x4097", "1x-1", "1x1x1"].iter().all(|text| parse_size(text).is_err()));
+        assert!([1, 2, 4, 8, 16, 24, 32].iter().all(|bits| parse_bits(&bits.to_string()) == Ok(*bits)));
+        assert!(["0", "3", "x"]
+            .iter()
+            .all(|text| parse_bits(text).is_err() && parse_count(&format!("-{text}")).is_err()));
+        assert!(["a.png", "b.APNG", "c.x/d.apng"].iter().all(|name| matches!(parse_kind(name), Ok(Kind::Png))));
+        assert!(
+            matches!(parse_kind("e.gif"), Ok(Kind::Gif))
+                && ["f", "g.jpg", "png"].iter().all(|name| parse_kind(name).is_err())
+        );
+    }
+
+    #[test]
+    fn keys_and_mouse_turn_it() {
+        let body = Body::load(None).unwrap();
+        let options = Options { camera: Camera::new(32, 24), ..Options::default() };
+        let mut desk = Desk { mesh: body.mesh(&options), body: &body, options, is_paused: true, drag: None };
+        let start = desk.options.camera;
+        let key = |key| [Event::Key(key, false)];
+        assert!(!desk.go(&[]), "it pauses");
+        for (there, back) in [(Key::Left, Key::Right), (Key::Up, Key::Down)] {
+            assert!(desk.go(&key(there)) && desk.options.camera != start, "{there:?}");
+            assert!(desk.go(&key(back)) && desk.options.camera == start, "{back:?}");
+        }
+        assert!(desk.go(&key(Key::Equal)) && desk.options.camera.zoom > start.zoom, "nearer");
+        for _ in 0..99 {
+            assert!(desk.go(&key(Key::Minus)), "further away");
+        }
+        assert_eq!(desk.options.camera.zoom, I16F16::ONE / 16, "but not for ever");
+        assert!(!desk.go(&[Event::Move(Point::new(9, 9))]), "no button is down");
+        let [a, b] = [Point::new(1, 2), Point::new(17, 2)];
+        assert!(desk.go(&[Event::Press(a), Event::Move(b), Event::Release(b)]), "a drag");
+        assert_eq!(
+            desk.options.camera.yaw,
+            start.yaw + Angle::turns(1, 4),
+            "half of the picture is a quarter of a turn"
+        );
+        for view in View::ALL.into_iter().cycle().skip(3).take(9) {
+            assert!(desk.go(&key(Key::V)) && desk.options.view == view, "the next view");
+            assert!(desk.shot().is_ok_and(|shot| shot.picture.width() == 32), "{view:?} is shown");
+        }
+        assert!(desk.go(&key(Key::Space)) && desk.go(&[]), "it turns again");
     }
 }
