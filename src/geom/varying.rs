@@ -12,7 +12,8 @@
 //! - Numbers of up to 32 bits are kept with 64 bits of fraction. A step adds at most 6 units of 2^-64: 2^(2.6 + 13.6 + 41.2) is
 //!   below 2^64.
 //! - Along a row, numbers of 16 bits have 48 bits of fraction, which is enough for 100 pixels in the largest triangles; then they
-//!   are computed anew: see [`reach`](Varying::reach).
+//!   are computed anew: see [`reach`](Varying::reach). In triangles of 63 pixels, width and height together, D is below 2^27, and
+//!   48 bits are enough for rows too.
 //! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1 + 2 n / D units of 2^-56, with n below
 //!   2^30.6 for a step, and below 2^52 for the start: 2^(13.6 + 41.2) + 2^(1 + 13.6 + 30.6) + 2^53 is below 2^56.
 //! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. That is enough for some
@@ -20,8 +21,8 @@
 //!
 //! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
 //! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
-//! does not leave the range of the corners either. Of two `I16F16`, a place in a texture, whole bits are added: both are off
-//! by at most n and a half of them, which is `n 2^-16` too.
+//! does not leave the range of the corners either. Three levels of a colour of 16 bits share 64 bits then. Of two `I16F16`, a place
+//! in a texture, whole bits are added: both are off by at most n and a half of them, which is `n 2^-16` too.
 //!
 //! Sources: J. Foley, A. van Dam, S. Feiner, J. Hughes, "Computer Graphics: Principles and Practice", 2nd edition, 1990, 16.2
 //! (H. Gouraud's shading, 1971, row by row).
