@@ -137,7 +137,7 @@ impl Facet {
 
     /// From the first corner to the centre of the first pixel of the box, in units; less than 2^21.6.
     #[inline(always)]
-    fn to_first(&self) -> (i32, i32) {
+    fn centre_of_first(&self) -> (i32, i32) {
         let centre = |pixel: i32| pixel.wrapping_mul(256).wrapping_add(128);
         (centre(self.first.0).wrapping_sub(self.corner.0), centre(self.first.1).wrapping_sub(self.corner.1))
     }
@@ -158,7 +158,7 @@ impl Facet {
         let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
         let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
         let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
-        let ((x, y), product) = (self.to_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
+        let ((x, y), product) = (self.centre_of_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
         let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
         [
             start.wrapping_add(self.divisor.ratio(n, bits)),
@@ -208,7 +208,7 @@ impl Facet {
         let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
         let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
         let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
-        let ((x, y), product) = (self.to_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
+        let ((x, y), product) = (self.centre_of_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
         let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
         let start =
             (i64::from(v0) << Self::SMALL_BITS).cast_unsigned().wrapping_add(scale.wide_ratio(n, more_at_start));
@@ -228,7 +228,7 @@ impl Facet {
         let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
         let right = product(v1, c.1).wrapping_sub(product(v2, b.1));
         let down = product(v2, b.0).wrapping_sub(product(v1, c.0));
-        let (x, y) = self.to_first();
+        let (x, y) = self.centre_of_first();
         if !is_wide {
             // Below 2^63.
             let n = product(right, x).wrapping_add(product(down, y));
