@@ -32,7 +32,7 @@ use crate::{
 /// frame.paint(Linear::new(ends, Outside::Clamp, color), |window, brush| {
 ///     rectangle::fill(Rect::new(0, 0, 8, 2), window, brush)
 /// });
-/// assert_eq!(ram, [0x13, 0x57, 0x8a, 0xce, 0x13, 0x56, 0x9a, 0xce]);
+/// assert_eq!(ram, [0x13, 0x47, 0x8a, 0xce, 0x13, 0x56, 0x9a, 0xde]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 ///
