@@ -17,6 +17,7 @@ use embedded_raster_simulator::{
 };
 use fixed::types::I16F16;
 use pictures::compare;
+use twins::rng::{cases, Rng};
 
 const WIDTH: u16 = 96;
 const HEIGHT: u16 = 64;
@@ -199,6 +200,37 @@ fn what_is_wrong_with_a_file() {
     }
 }
 
+/// Whatever stands in a file: a mesh or an error.
+#[test]
+fn any_file_is_fine() {
+    let (mut rng, mut meshes) = (Rng::new(1), 0);
+    for name in ["forms.obj", "star.obj", "cube.obj"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/assets").join(name);
+        let text = std::fs::read(path).expect("it is there");
+        for _ in 0..cases(1_000) {
+            let mut text = text.clone();
+            for _ in 0..rng.int(1, 4) {
+                let at =
+                    usize::try_from(rng.int(0, i32::try_from(text.len()).expect("short") - 1)).expect("not negative");
+                let byte = rng.pick(b"0123456789-./ev\n\\ \xff");
+                if rng.one_in(2) {
+                    text[at] = byte;
+                } else {
+                    text.insert(at, byte);
+                }
+            }
+            match Mesh::parse_obj(&text) {
+                Ok(mesh) => {
+                    assert!(radius(&mesh) < 16.001, "{}", String::from_utf8_lossy(&text));
+                    meshes += 1;
+                }
+                Err(error) => assert!(error.to_string().lines().count() == 1, "{error}"),
+            }
+        }
+    }
+    assert!(meshes > 100, "{meshes} meshes");
+}
+
 /// Files that programs write differ in nothing that is seen here.
 #[test]
 fn the_teapot_of_triangles_is_that_of_patches() {
@@ -266,7 +298,7 @@ struct Twin {
 }
 
 /// The flat view in floats: from the places of a mesh to pixels and colours, by the words of the documentation alone.
-fn twins(mesh: &Mesh, camera: &Camera) -> Vec<Twin> {
+fn floats(mesh: &Mesh, camera: &Camera) -> Vec<Twin> {
     let turns = |angle: Angle| f64::from(angle.to_bits()) / 4_294_967_296.0 * std::f64::consts::TAU;
     let ((sy, cy), (sp, cp)) = (turns(camera.yaw).sin_cos(), turns(camera.pitch).sin_cos());
     let turned = |[x, y, z]: [f64; 3]| {
@@ -331,7 +363,7 @@ fn the_flat_view_is_that_of_floats() {
             let zoom = I16F16::from_num(zoom);
             let camera = Camera { yaw: Angle::degrees(yaw), pitch: Angle::degrees(pitch), zoom, ..camera() };
             let picture = draw_as::<Xrgb8888>(mesh, View::Flat, &camera, None).expect("it has pixels").picture;
-            let (painted, twins) = (silhouette(&picture), twins(mesh, &camera));
+            let (painted, twins) = (silhouette(&picture), floats(mesh, &camera));
             for (at, &is_painted) in painted.iter().enumerate() {
                 let (x, y) = (at % usize::from(WIDTH), at / usize::from(WIDTH));
                 let (cx, cy) = (
