@@ -294,7 +294,7 @@ impl Barycentric {
         // A weight is below 2^56: divided first, its rest times 2^16 is below 2^58.
         let part = |w: i64| {
             let (q, r) = divisor.quotient(w);
-            let rest = divisor.divide((signed_wide(r) << 16) + (self.total >> 1));
+            let rest = divisor.divide((signed_wide(r) << 16).wrapping_add(self.total >> 1));
             q.saturating_mul(1 << 16).saturating_add(rest.whole.into())
         };
         let (a, b) = (part(a), part(b));

@@ -8,6 +8,7 @@ use crate::{
     num::{cast::magnitude, divisor::Divisor},
     paint::{DepthShade, ShadeSome},
     raster::triangle,
+    span::Rect,
     surface::{Depth, Frame, Rows, Surface},
     Canvas,
 };
@@ -68,6 +69,9 @@ impl<V: Varying> Triangle<V> {
     /// Values change linearly *on the screen*. That is right for colours of small triangles and wrong for textures of large ones
     /// that lead into the distance.
     pub fn fill<S: Surface>(&self, on: &mut S, mut fragment: impl FnMut(Fragment<V>) -> Option<S::Color>) {
+        if !self.reaches(on.window()) {
+            return;
+        }
         let Some(plane) = self.plane(|corner| (At::default(), corner.values)) else { return };
         let Self { facing, number, places, .. } = *self;
         let shade =
@@ -84,6 +88,9 @@ impl<V: Varying> Triangle<V> {
         passes: impl Fn(&Z::Number, &Z::Number) -> bool,
         mut fragment: impl FnMut(Fragment<V, Z::Number>) -> Option<S::Color>,
     ) {
+        if !self.reaches(on.window()) {
+            return;
+        }
         let plane = self.plane(|corner| {
             (Z::of(corner.position.z.to_bits(), corner.position.w.to_bits()), (At::default(), corner.values))
         });
@@ -93,6 +100,14 @@ impl<V: Varying> Triangle<V> {
             fragment(Fragment { at, values, depth, facing, number })
         });
         on.paint(shade, |window, brush| triangle::fill(places, window, brush));
+    }
+
+    /// Whether its box and a window have pixels in common. Of a band most triangles have none: their values are not asked for.
+    #[inline]
+    fn reaches(&self, window: Rect) -> bool {
+        let [a, b, c] = self.places.map(|place| (place.x.to_bits() >> 8, place.y.to_bits() >> 8));
+        let overlap = |a: i32, b: i32, c: i32, from: i32, to: i32| a.min(b).min(c) < to && a.max(b).max(c) >= from;
+        overlap(a.0, b.0, c.0, window.x0, window.x1) && overlap(a.1, b.1, c.1, window.y0, window.y1)
     }
 
     /// The values over it. It lies in the guard band, where every triangle is a facet.

@@ -24,6 +24,31 @@ const LINE: &str = "6raster4line";
 const TRIANGLE: &str = "6raster8triangle";
 const POLYGON: &str = "6raster7polygon";
 const ROUND: &str = "6raster5round";
+/// Those of the third dimension, and of what changes over a triangle.
+const PIPELINE: &str = "15embedded_raster8pipeline";
+const CLIPPER: &str = "15embedded_raster8pipeline4clip3cut";
+const SPACE: &str = "4geom5space";
+const FACET: &str = "4geom5facet";
+const VARYING: &str = "4geom7varying";
+const SHADE: &str = "5paint5shade";
+const DEPTH: &str = "5paint5depth";
+const SPATIAL: [&str; 6] = [PIPELINE, SPACE, FACET, VARYING, SHADE, DEPTH];
+
+/// The firmwares that have some of that. All others are flat, and have none of it.
+const SPATIAL_PROGRAMS: [&str; 12] = [
+    "depth",
+    "depth_id",
+    "depth_shade",
+    "light",
+    "matrices",
+    "pipeline",
+    "pipeline_depth",
+    "pipeline_depth_whole",
+    "pipeline_whole",
+    "shade",
+    "shade_value_1",
+    "shade_value_3",
+];
 
 /// What a scene does not use must not be linked.
 const RULES: &[Rule] = &[
@@ -35,6 +60,17 @@ const RULES: &[Rule] = &[
     Rule { program: "clear", forbidden: DIVISION, reason: "clearing needs no division" },
     Rule { program: "triangle", forbidden: &[LINE, POLYGON, ROUND], reason: "a triangle needs no other shape" },
     Rule { program: "polygon", forbidden: &[LINE, TRIANGLE, ROUND], reason: "a polygon needs no other shape" },
+    Rule { program: "shade", forbidden: &[PIPELINE, SPACE, DEPTH], reason: "colours need neither depth nor space" },
+    Rule { program: "shade_value_1", forbidden: &[PIPELINE, SPACE, DEPTH], reason: "nor do numbers" },
+    Rule { program: "shade_value_3", forbidden: &[PIPELINE, SPACE, DEPTH], reason: "nor do numbers" },
+    Rule { program: "depth", forbidden: &[PIPELINE, SPACE, SHADE], reason: "depth needs no space" },
+    Rule { program: "depth_id", forbidden: &[PIPELINE, SPACE, SHADE], reason: "depth needs no space" },
+    Rule { program: "depth_shade", forbidden: &[PIPELINE, SPACE], reason: "depth needs no space" },
+    Rule { program: "pipeline", forbidden: &[DEPTH], reason: "it has no depths" },
+    Rule { program: "pipeline_whole", forbidden: &[DEPTH, CLIPPER], reason: "nothing is cut" },
+    Rule { program: "pipeline_depth_whole", forbidden: &[CLIPPER], reason: "nothing is cut" },
+    Rule { program: "matrices", forbidden: &[PIPELINE, FACET, VARYING, TRIANGLE], reason: "nothing is drawn" },
+    Rule { program: "light", forbidden: &[PIPELINE, FACET, VARYING, TRIANGLE], reason: "nothing is drawn" },
 ];
 
 /// Checks the firmwares of some chips at some opt-levels.
@@ -44,7 +80,10 @@ pub fn check_all(chips: &[Chip], opts: &[Opt]) -> Result<()> {
         let folders = firmware::build_with_frames(size::PACKAGE, chips, opt)?;
         for (&chip, folder) in chips.iter().zip(&folders) {
             check(chip, folder)?;
-            println!("no unused shapes and no floats on {chip} at opt-level {}", opt.name());
+            println!(
+                "no unused shapes, nothing of space in flat scenes, and no floats on {chip} at opt-level {}",
+                opt.name()
+            );
         }
     }
     Ok(())
@@ -59,6 +98,13 @@ fn check(chip: Chip, folder: &Path) -> Result<()> {
         for rule in RULES.iter().filter(|rule| rule.program == program) {
             let found = names.iter().find(|name| rule.forbidden.iter().any(|part| name.contains(part)));
             ensure!(found.is_none(), "{program} on {chip} has `{}`, but {}", found.map_or("", |n| n), rule.reason);
+        }
+        if SPATIAL_PROGRAMS.contains(&&*program) {
+            let division = names.iter().find(|name| DIVISION.iter().any(|part| name.contains(part)));
+            ensure!(division.is_none(), "{program} on {chip} divides 64 bits: `{}`", division.map_or("", |n| n));
+        } else {
+            let found = names.iter().find(|name| SPATIAL.iter().any(|part| name.contains(part)));
+            ensure!(found.is_none(), "{program} on {chip} is flat, but has `{}`", found.map_or("", |n| n));
         }
         let float = names.iter().find(|name| software_floats(chip) && is_float(name));
         ensure!(float.is_none(), "{program} on {chip} computes with floats: `{}`", float.map_or("", |n| n));
@@ -119,6 +165,13 @@ mod tests {
             let module = firmware::project().join("src/raster").join(name);
             assert!(module.with_extension("rs").is_file() || module.join("mod.rs").is_file(), "{mangled}");
         }
+        for path in ["pipeline/clip", "geom/space/mod", "geom/facet", "geom/varying", "paint/shade", "paint/depth"] {
+            assert!(firmware::project().join("src").join(path).with_extension("rs").is_file(), "{path}");
+            let parts: Vec<&str> = path.split('/').filter(|part| *part != "mod").collect();
+            let mangled = parts.iter().map(|part| format!("{}{part}", part.len())).collect::<String>();
+            let known = SPATIAL.iter().chain([&CLIPPER]).any(|name| name.contains(&mangled));
+            assert!(known, "{mangled}");
+        }
     }
 
     #[test]
@@ -126,6 +179,9 @@ mod tests {
         let programs = size::programs().expect("the folder");
         for rule in RULES {
             assert!(programs.iter().any(|name| name == rule.program), "{}", rule.program);
+        }
+        for program in SPATIAL_PROGRAMS {
+            assert!(programs.iter().any(|name| name == program), "{program}");
         }
     }
 }
