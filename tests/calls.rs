@@ -4,7 +4,7 @@ mod finder;
 
 use std::{collections::BTreeMap, path::Path};
 
-use calls::{computing, frames, DRAWING, READING};
+use calls::{computing, frames, shading, space, DRAWING, READING};
 use finder::Source;
 
 /// What need not be in the list, by name or by owner, and why.
@@ -13,10 +13,19 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Sink", "shapes call it"),
     ("Paint", "brushes call it"),
     ("FloodTarget", "floods call it"),
+    ("Varying", "planes call it"),
+    ("Depth", "shades with depths call it"),
+    ("DepthOf", "triangles with depths call it"),
+    ("Channels", "textures call it"),
+    ("Outside", "the same"),
+    ("Index", "`assemble` calls it"),
+    ("Texture::clone", "a copy"),
+    ("$vector", "operators of vectors: `Vec3::new`, `Vec4::new` and those beside them are listed with them"),
     ("PixelFormat", "every call on a frame packs and unpacks"),
     ("Surface::window", "every call asks for it"),
     ("Surface::fill_inside", "its first argument cannot be made outside of the crate"),
     ("Surface::write_inside", "the same"),
+    ("Surface::write_span_inside", "the same"),
     ("Brush::new", "`Canvas::paint` makes one"),
     ("Cut", "not to be named outside of the crate; strokes call it"),
     ("Ready", "the same"),
@@ -60,7 +69,7 @@ fn the_list_is_complete() {
             || ["fmt", "format"].contains(&function)
     };
     let wanted = count(source.names().into_iter().filter(|name| !is_elsewhere(name)));
-    let listed = count([DRAWING, READING, frames::NAMES, computing::NAMES].concat());
+    let listed = count([DRAWING, READING, frames::NAMES, computing::NAMES, shading::NAMES, space::NAMES].concat());
     let lacks = |these: &BTreeMap<String, usize>, those: &BTreeMap<String, usize>| -> Vec<String> {
         these.iter().filter(|(name, n)| those.get(*name).is_none_or(|m| m < *n)).map(|(name, _)| name.clone()).collect()
     };

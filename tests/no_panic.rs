@@ -35,13 +35,18 @@ use embedded_raster::{
         flood::{Connectivity, FloodSlot},
         line, outline, polygon, rectangle, rounded, triangle,
     },
-    surface::{paged_bytes, Counter, Paged},
+    surface::{paged_bytes, Counter, Paged, Rows},
     Angle, Bitmap, Canvas, Cap, ClippedSpan, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
     Join, Mat4, Palette, Patch, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Span, Steps, Stroke,
     Surface, Vec4,
 };
 use fixed::types::{I16F16, I24F8};
-use twins::{memory::color, rng::Rng};
+use twins::{
+    arguments::{Ground, Scratch},
+    input::Input,
+    memory::color,
+    rng::Rng,
+};
 
 /// Numbers that break arithmetic: ends of types, centres of pixels, powers of two and their neighbours.
 const EXTREMES: [i32; 21] = [
@@ -641,6 +646,21 @@ fn what_computes_in_space() {
         };
         for k in 0..=calls::space::NAMES.len() {
             black_box(calls::space::call(&arguments, k));
+        }
+    }
+}
+
+#[test]
+fn values_over_triangles() {
+    let (mut rng, mut scratch) = (Rng::new(891), Scratch::new(891));
+    for _ in 0..twins::rng::cases(10_000) {
+        let bytes: Vec<u8> = (0..150).flat_map(|_| rng.bits().to_le_bytes()).collect();
+        let (width, height) = (rng.below(9) as u16, rng.below(9) as u16);
+        let texels = Bitmap::<Rgb565>::new(&bytes, width, height).expect("enough bytes");
+        for number in 0..=calls::shading::NAMES.len() {
+            let mut arguments =
+                scratch.arguments::<Rows<Index1>>(&mut Input(&bytes), Ground::Wild, [Index1::new(0); 2]);
+            black_box(calls::shading::call(&texels, &mut arguments, number));
         }
     }
 }

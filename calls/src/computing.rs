@@ -7,7 +7,7 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     buffer_bytes,
-    geom::{clip, delaunay, exact, polygon as outlines, triangulate, Contours, Outlines},
+    geom::{self, clip, delaunay, exact, polygon as outlines, triangulate, Contours, Outlines},
     pixel::{self, Be, Lsb0},
     raster::{
         arc, ellipse,
@@ -157,6 +157,7 @@ calls! {
     centre_of => PointFx::centre_of(a.points[0]);
     pixel => p.pixel();
     from => PointFx::from(a.points[0]);
+    from => PointFx::from((n, m));
     add => p + q;
     sub => p - q;
     neg => -p;
@@ -171,6 +172,8 @@ calls! {
         sum -= q;
         sum
     };
+    [point]
+    px => geom::px(n);
     [Angle]
     from_bits => Angle::from_bits(n.cast_unsigned());
     to_bits => angle.to_bits();
@@ -281,7 +284,7 @@ impl<L: Layout> Arguments<'_, L> {
         Size::new(width, height)
     }
 
-    fn byte(&self, at: usize) -> u8 {
+    pub(crate) fn byte(&self, at: usize) -> u8 {
         self.bytes.get(at).copied().unwrap_or_default()
     }
 

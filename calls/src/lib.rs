@@ -1,7 +1,7 @@
 //! The list of everything that draws.
 //!
 //! Whoever has to call all of it takes it from here: the proofs that no call can panic, on computers and on chips, the tests with
-//! wild arguments, and the fuzz target that compares sequences of calls. There are four lists:
+//! wild arguments, and the fuzz target that compares sequences of calls. There are six lists:
 //!
 //! | list | what it calls | on |
 //! |---|---|---|
@@ -9,8 +9,8 @@
 //! | [`read`] | what reads as well | a surface that can be read |
 //! | [`frames::call`] | what only memory has | a frame |
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
-//!
-//! What computes in space has a list of its own, [`space`].
+//! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
+//! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
 //!
 //! A call is named as what it calls: the type, the trait or the module, and the function. A test in `tests/calls.rs` reads the
 //! sources of the crate, and fails when something public is missing here.
@@ -19,6 +19,7 @@
 pub mod answer;
 pub mod computing;
 pub mod frames;
+pub mod shading;
 pub mod space;
 
 use embedded_graphics_core::{
@@ -30,7 +31,8 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     eg,
-    geom::triangulate::SideSlot,
+    geom::{triangulate::SideSlot, Plane},
+    paint::{depth, DepthShade, Shade, ShadeSome},
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
@@ -41,6 +43,7 @@ use embedded_raster::{
     Sector, Sink, Solid, Span, Stroke, Surface,
 };
 use fixed::types::I24F8;
+use shading::with_depths;
 
 /// What calls are made with: each takes what it wants.
 pub struct Arguments<'a, L: Layout> {
@@ -155,6 +158,10 @@ calls! {
     DRAWING, draw[S: Surface<Color = L::Color>, L: Layout](on: &mut S, a)
     {
         let (c, window) = (a.colors[0], on.window());
+        // Of a level that changes over a triangle.
+        let [even, odd] = a.colors;
+        let color = |level: u8| if level & 1 == 0 { even } else { odd };
+        let corners = a.corners_fx();
     }
     [Canvas]
     paint => on.paint(Solid(c), |window, brush| triangle::fill(a.corners_fx(), window, brush));
@@ -170,12 +177,12 @@ calls! {
     fill_rectangle_fx => on.fill_rectangle_fx(a.places[0], a.places[1], c);
     fill_triangle => on.fill_triangle(a.points, c);
     fill_triangle_fx => on.fill_triangle_fx(a.corners_fx(), c);
-    shade_triangle_fx => {
-        let [first, second] = a.colors;
-        on.shade_triangle_fx(a.corners_fx(), [(0_u8, -9_i32), (128, i32::MAX), (255, 4)], |(level, number)| {
-            if u32::from(level) & 1 == number.unsigned_abs() & 1 { first } else { second }
-        })
-    };
+    shade_triangle_fx => on.shade_triangle_fx(corners, [(0, -9_i32), (128, i32::MAX), (255, 4)], |(level, number)| {
+        color(level ^ u8::from(number & 1 == 0))
+    });
+    depth_triangle_fx => with_depths(window, |depths| {
+        on.depth_triangle_fx(corners, a.depths(), depths, depth::less, color).is_ok()
+    });
     draw_ellipse => on.draw_ellipse(a.areas[0], c);
     fill_ellipse => on.fill_ellipse(a.areas[0], c);
     fill_ellipse_fx => on.fill_ellipse_fx(a.ellipses[0], c);
@@ -219,6 +226,40 @@ calls! {
     write_some => a.span().clip(window).map(|span| on.write_some(span, |x| (x & 4 == 0).then(|| a.alternate(x))));
     copy_picture => on.copy_picture(a.points[0], &a.picture, a.flag.then_some(a.colors[1]));
     copy_mask => on.copy_mask(a.points[0], &a.mask_msb0, c, a.flag.then_some(a.colors[1]));
+    [Shade]
+    new => a.facet().map(|facet| {
+        let shade = Shade::new(Plane::new(&facet, a.depths()), |(_, level)| color(level));
+        on.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+    });
+    [ShadeSome]
+    new => a.facet().map(|facet| {
+        let plane = Plane::new(&facet, a.depths());
+        let shade = ShadeSome::new(plane, |(number, level)| (number & 7 != 0).then(|| color(level)));
+        on.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+    });
+    [DepthShade]
+    new => a.facet().map(|facet| with_depths(window, |depths| {
+        let plane = Plane::new(&facet, a.depths());
+        let shade = DepthShade::new(depths, plane, depth::greater, |level, depth| (depth & 7 != 0).then(|| color(level)));
+        on.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+    }));
+    read_only => a.facet().map(|facet| with_depths(window, |depths| {
+        // As it keeps no depth, the second one draws the same pixels again.
+        for _ in 0..2 {
+            let plane = Plane::new(&facet, a.depths());
+            let shade = DepthShade::new(&mut *depths, plane, depth::less, |level, _| Some(color(level)));
+            on.paint(shade.read_only(), |window, brush| triangle::fill(corners, window, brush));
+        }
+    }));
+    [Triangle]
+    fill => a.pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
+        triangle.fill(on, |fragment| (fragment.at.x & 7 != 3).then(|| color(fragment.values)));
+    });
+    fill_depth => with_depths(window, |depths| {
+        a.pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
+            triangle.fill_depth(on, depths, depth::less, |fragment| Some(color(fragment.values)));
+        })
+    });
     [eg]
     target => eg::target(on).fill_solid(&a.rectangle(), c).is_err();
     draw_on => {

@@ -33,30 +33,33 @@ pub struct Arguments {
     pub index: u16,
 }
 
-/// Calls by name; each makes a constant list and a `match`, so none can be in one and not in the other.
+/// Calls by name: a constant list and a function out of the same lines, so none can be in one and not in the other.
 macro_rules! calls {
     ($a:ident, $x:ident, $v:ident, $p:ident, $m:ident, $u:ident; $($name:literal => $call:expr;)*) => {
-        /// The names of the calls: methods with their type.
+        /// The names of the calls, with their type or their module.
         pub const NAMES: &[&str] = &[$($name),*];
 
         /// Makes the call of the name of this number in [`NAMES`]. What it answered, as a number.
         pub fn call($a: &Arguments, number: usize) -> u32 {
             let ($x, $v, $p, $m) = (&$a.numbers, &$a.vectors, &$a.places, &$a.matrices);
             let $u = $a.parts.map(|[number, of]| Part::new(number, of));
-            match NAMES.get(number).copied() {
-                $(Some($name) => $call.digest(),)*
-                _ => 0,
-            }
+            let mut numbers = 0..usize::MAX;
+            $(
+                if numbers.next() == Some(number) {
+                    return $call.digest();
+                }
+            )*
+            0
         }
     };
 }
 
 calls! { a, x, v, p, m, u;
-    "divide" => number::divide(x[0], x[1]);
-    "reciprocal" => number::reciprocal(x[0]);
-    "square_root" => number::square_root(x[0]);
-    "inverse_root" => number::inverse_root(x[0]);
-    "cos_sin" => number::cos_sin(a.angle);
+    "number::divide" => number::divide(x[0], x[1]);
+    "number::reciprocal" => number::reciprocal(x[0]);
+    "number::square_root" => number::square_root(x[0]);
+    "number::inverse_root" => number::inverse_root(x[0]);
+    "number::cos_sin" => number::cos_sin(a.angle);
     "Vec3::new" => Vec3::new(x[0], x[1], x[2]) + v[0] - v[1];
     "Vec3::whole" => -Vec3::whole(a.index.cast_signed(), 1, 2) * x[0];
     "Vec3::from_bits" => Vec3::from_bits(x.map(I16F16::to_bits).first_chunk().copied().unwrap_or_default());
@@ -90,13 +93,16 @@ calls! { a, x, v, p, m, u;
     "Mat4::transform_point" => m[0].transform_point(v[0]);
     "Mat4::transform_direction" => m[0].transform_direction(v[0]);
     "Mat4::transform" => m[0].transform(p[0]);
+    "Mat4::default" => Mat4::default();
+    "Mat4::mul" => m[0] * m[1];
+    "Mat4::mul" => m[0] * p[0];
     "Mat4::times" => m[0].times(&m[1]);
     "Part::new" => u[0].to_fixed();
     "Part::to_fixed" => u[1].to_fixed();
     "Patch::position" => a.patch.position(u[0], u[1]);
     "Patch::normal" => a.patch.normal(u[0], u[1]);
     "Patch::side" => a.patch.side(a.index.into());
-    "level" => number_of(patch::level(a.patch.side(a.index.into()), x[0]).into());
+    "patch::level" => number_of(patch::level(a.patch.side(a.index.into()), x[0]).into());
     "Tessellation::new" => Tessellation::new(&a.patch, a.levels).vertex(0);
     "Tessellation::vertex_count" => number_of(Tessellation::new(&a.patch, a.levels).vertex_count());
     "Tessellation::vertex" => Tessellation::new(&a.patch, a.levels).vertex(a.index);
@@ -111,9 +117,9 @@ calls! { a, x, v, p, m, u;
             .each_triangle(|corners| sum = corners.into_iter().fold(sum, |sum, k| sum.wrapping_mul(31) ^ u32::from(k)));
         number_of(sum)
     };
-    "diffuse" => light::diffuse(v[0], v[1]);
-    "half_way" => light::half_way(v[0], v[1]);
-    "specular" => light::specular(v[0], v[1], v[2], &Gloss::new(a.index));
+    "light::diffuse" => light::diffuse(v[0], v[1]);
+    "light::half_way" => light::half_way(v[0], v[1]);
+    "light::specular" => light::specular(v[0], v[1], v[2], &Gloss::new(a.index));
     "Gloss::new" => Gloss::new(a.index).power(I16F16::ONE);
     "Gloss::power" => Gloss::new(10).power(x[0]);
 }
