@@ -310,7 +310,11 @@ calls! {
     edit_span => a.span().clip(window).map(|span| on.edit_span(span, |x, old| if old == c { a.alternate(x) } else { old }));
     find => a.span().clip(window).map_or(0, |span| on.find(span, |color| color == c));
     find_start => a.span().clip(window).map_or(0, |span| on.find_start(span, |color| color == c));
-    fill_corridor => on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
+    // Counted from the row above the window: only what a surface without corridors says is 0.
+    fill_corridor => {
+        let row = on.fill_corridor(a.points[0], a.flag, c, |color| color == a.colors[1]);
+        row.map(|row| row.wrapping_sub(window.y0).wrapping_add(1))
+    };
     copy_area => on.copy_area(a.areas[0], a.points[0], None);
 }
 
