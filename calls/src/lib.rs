@@ -252,11 +252,11 @@ calls! {
         }
     }));
     [Triangle]
-    fill => a.pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
+    fill => shading::pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
         triangle.fill(on, |fragment| (fragment.at.x & 7 != 3).then(|| color(fragment.values)));
     });
     fill_depth => with_depths(window, |depths| {
-        a.pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
+        shading::pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
             triangle.fill_depth(on, depths, depth::less, |fragment| Some(color(fragment.values)));
         })
     });

@@ -70,11 +70,11 @@ calls! {
         .map(|texture| texture.bilinear_through(u, v, &palette).map(|color| color.r()));
     [Pipeline]
     new => a.pieces(Pipeline::new(a.halves(4)[0], a.halves(4)[1]));
-    cull => a.pieces(a.pipeline(a.window).cull(Facing::Back));
-    front_is_clockwise => a.pieces(a.pipeline(a.window).cull(Facing::Front).front_is_clockwise());
-    triangles => a.pieces(a.pipeline(a.window));
-    whole_triangles => a.pipeline(a.window).whole_triangles([a.vertices()], |vertex| vertex, |_| ());
-    indexed => a.pipeline(a.window)
+    cull => a.pieces(pipeline(a.window).cull(Facing::Back));
+    front_is_clockwise => a.pieces(pipeline(a.window).cull(Facing::Front).front_is_clockwise());
+    triangles => a.pieces(pipeline(a.window));
+    whole_triangles => pipeline(a.window).whole_triangles([a.vertices()], |vertex| vertex, |_| ());
+    indexed => pipeline(a.window)
         .indexed(Topology::Strip, &a.vertices(), a.bytes, |vertex| *vertex, |triangle| { sum(triangle.places()); });
     [Vertex]
     new => Vertex::new(Vec4::from_bits([n, m, n, m]), ()).position.dot(Vec4::from_bits([m, n, m, n]));
@@ -130,20 +130,13 @@ impl<L: Layout> Arguments<'_, L> {
         })
     }
 
-    /// For a screen that ends where a window does.
-    pub(crate) fn pipeline(&self, window: Rect) -> Pipeline {
-        // Windows without pixels have no place.
-        let side = |n: i32| u16::try_from(n).ok().filter(|_| !window.is_empty()).unwrap_or(64);
-        Pipeline::new(side(window.x1), side(window.y1))
-    }
-
     fn pieces(&self, pipeline: Pipeline) -> u32 {
         pipeline.triangles([self.vertices()], |vertex| vertex, |_| ())
     }
 
     fn of_pieces(&self, look: impl Fn(&Triangle<u8>) -> usize) -> usize {
         let mut sum = 0;
-        self.pipeline(self.window).triangles(
+        pipeline(self.window).triangles(
             [self.vertices()],
             |vertex| vertex,
             |triangle| sum = (sum, look(triangle)).answer(),
@@ -163,4 +156,11 @@ pub(crate) fn with_depths<R: Default>(window: Rect, act: impl FnOnce(&mut DepthB
     let Ok(mut buffer) = DepthBuffer::<Depth16>::new(&mut memory, 16, 16) else { return R::default() };
     // A view may begin left of and above what it shows.
     act(&mut buffer.view(Rect { x0: window.x0.wrapping_neg(), y0: window.y0.wrapping_neg(), x1: 16, y1: 16 }))
+}
+
+/// For a screen that ends where a window does.
+pub(crate) fn pipeline(window: Rect) -> Pipeline {
+    // Windows without pixels have no place.
+    let side = |n: i32| u16::try_from(n).ok().filter(|_| !window.is_empty()).unwrap_or(64);
+    Pipeline::new(side(window.x1), side(window.y1))
 }

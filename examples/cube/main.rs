@@ -238,8 +238,8 @@ mod tests {
     /// Bands of any height show the whole, at every depth and many angles.
     #[test]
     fn bands_are_the_whole() {
-        for (i, bits) in DEPTHS.into_iter().enumerate() {
-            let turn = Angle::turns(i as u32, 7);
+        for (i, bits) in (0..).zip(DEPTHS) {
+            let turn = Angle::turns(i, 7);
             let options = |band| Options { bits, size: (80, 64), frames: 1, band, out: String::new(), window: false };
             let whole = draw(&options(None), turn).unwrap();
             assert!(whole.fragments > 500, "{} fragments", whole.fragments);

@@ -4,6 +4,13 @@
 //! A vertex goes through the vertex stage once for each picture. What comes out is kept, 20 bytes for each of 30 vertices, and serves
 //! all triangles and all bands.
 #![allow(unreachable_pub, reason = "firmwares have this scene as a module of a library")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::manual_is_multiple_of,
+    clippy::precedence,
+    reason = "numbers of a few corners and faces"
+)]
 
 use embedded_graphics_core::{
     geometry::Point,

@@ -229,6 +229,12 @@ fn reciprocal_wide(d: u64) -> u64 {
 }
 
 #[cfg(test)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "tests mix widths on purpose"
+)]
 mod tests {
     use super::*;
 
@@ -321,7 +327,7 @@ mod tests {
     fn both_ways_to_a_reciprocal_agree() {
         let mut d = 0x8000_0000_u32;
         for i in 0..300_000_u32 {
-            for d in [d, 0x8000_0000 + i, u32::MAX - i, (0x8000 + i % 0x8000) << 16 | 0xffff - i % 3] {
+            for d in [d, 0x8000_0000 + i, u32::MAX - i, ((0x8000 + i % 0x8000) << 16) | (0xffff - i % 3)] {
                 let wide = u64::from(d) << 32;
                 assert_eq!(reciprocal(NonZeroU32::new(d).unwrap()), reciprocal_wide(wide), "{d}");
                 assert_eq!(u128::from(reciprocal_wide(wide)), (u128::MAX >> 1) / u128::from(wide), "{d}");

@@ -85,7 +85,7 @@ mod tests {
         let mut number = || {
             seed = seed.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
             let bits = low_u32(seed >> 33);
-            if bits & 3 == 0 {
+            if bits.is_multiple_of(4) {
                 ends[bits as usize / 4 % 12]
             } else {
                 (low_u32(seed >> 20).cast_signed()) >> (bits >> 3 & 31)

@@ -17,7 +17,7 @@ use core::mem::swap;
 
 use heapless::Vec;
 
-use super::{viewport::Screen, Vertex};
+use super::{vertex::Vertex, viewport::Screen};
 use crate::geom::{space::Vec4, Barycentric, Mix};
 
 /// Planes that cut.
@@ -37,7 +37,7 @@ pub(super) enum Clipped {
 
 /// How far inside of a plane a place is: below 2^45 on both sides.
 #[inline(always)]
-fn inside(screen: &Screen, at: Vec4, plane: u32) -> i64 {
+fn inside(screen: Screen, at: Vec4, plane: u32) -> i64 {
     let [x, y, z, w] = at.to_bits().map(i64::from);
     let guard = |n: i64, size: u16| Screen::GUARD.wrapping_mul(w).wrapping_add(n.wrapping_mul(size.into()));
     match plane {
@@ -52,7 +52,7 @@ fn inside(screen: &Screen, at: Vec4, plane: u32) -> i64 {
 
 /// The planes that a place lies outside of, and above them the edges of the picture, one bit each.
 #[inline]
-fn outcode(screen: &Screen, at: Vec4) -> u32 {
+fn outcode(screen: Screen, at: Vec4) -> u32 {
     let [x, y, _, w] = at.to_bits().map(i64::from);
     let edges = [w.wrapping_add(x), w.wrapping_sub(x), w.wrapping_add(y), w.wrapping_sub(y)];
     let planes = (0..PLANES).fold(0, |code, plane| code | u32::from(inside(screen, at, plane) < 0) << plane);
@@ -62,7 +62,7 @@ fn outcode(screen: &Screen, at: Vec4) -> u32 {
 
 /// Which planes cut a triangle.
 #[inline]
-pub(super) fn look<V>(screen: &Screen, corners: &[Vertex<V>; 3]) -> Clipped {
+pub(super) fn look<V>(screen: Screen, corners: &[Vertex<V>; 3]) -> Clipped {
     let [a, b, c] = corners.each_ref().map(|corner| outcode(screen, corner.position));
     if a & b & c != 0 {
         return Clipped::Outside;
@@ -76,7 +76,7 @@ pub(super) fn look<V>(screen: &Screen, corners: &[Vertex<V>; 3]) -> Clipped {
 /// The parts of a triangle inside of some planes.
 #[inline(never)]
 pub(super) fn cut<V: Mix>(
-    screen: &Screen,
+    screen: Screen,
     corners: [Vertex<V>; 3],
     planes: u32,
     mut piece: impl FnMut(&[Vertex<V>; 3]),
@@ -100,7 +100,7 @@ pub(super) fn cut<V: Mix>(
 type Polygon<V> = Vec<Vertex<V>, CORNERS>;
 
 /// The part of a polygon inside of a plane: corners inside, and a new one where a side crosses the plane.
-fn cut_by_plane<V: Mix>(screen: &Screen, polygon: &Polygon<V>, plane: u32, cut: &mut Polygon<V>) {
+fn cut_by_plane<V: Mix>(screen: Screen, polygon: &Polygon<V>, plane: u32, cut: &mut Polygon<V>) {
     cut.clear();
     // There is room for all: a convex polygon crosses a plane twice.
     let mut keep = |vertex| _ = cut.push(vertex);

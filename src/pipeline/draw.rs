@@ -2,15 +2,15 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use super::{Facing, Vertex};
+use super::vertex::{Facing, Vertex};
 use crate::{
+    canvas::Canvas,
     geom::{At, Facet, Plane, PointFx, Varying},
     num::{cast::magnitude, divisor::Divisor},
     paint::{DepthShade, ShadeSome},
     raster::triangle,
     span::Rect,
     surface::{Depth, Frame, Rows, Surface},
-    Canvas,
 };
 
 /// A triangle on the screen.

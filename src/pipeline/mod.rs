@@ -74,41 +74,16 @@
 mod assembly;
 mod clip;
 mod draw;
+mod vertex;
 mod viewport;
 
 pub use self::{
     assembly::{assemble, Index, IndexOutOfRange, Topology},
     draw::{Fragment, Triangle},
+    vertex::{Facing, Vertex},
 };
 use self::{clip::Clipped, viewport::Screen};
-use crate::geom::{space::Vec4, Mix};
-
-/// What the vertex stage makes of a vertex.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Vertex<V> {
-    /// Where it is, in clip coordinates.
-    pub position: Vec4,
-    /// What changes over a triangle: see [`Varying`](crate::geom::Varying).
-    pub values: V,
-}
-
-impl<V> Vertex<V> {
-    /// A place in clip coordinates, and what changes over a triangle.
-    #[inline]
-    pub const fn new(position: Vec4, values: V) -> Self {
-        Self { position, values }
-    }
-}
-
-/// Which side of a triangle is seen.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Facing {
-    /// Its corners turn counter-clockwise, as seen.
-    Front,
-    /// Its corners turn clockwise, as seen.
-    Back,
-}
+use crate::geom::Mix;
 
 /// The fixed stages between vertices and fragments. See the [module](self) for what they are.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -155,10 +130,10 @@ impl Pipeline {
             let corners = corners.map(&mut vertex);
             let mut piece =
                 |corners: &[Vertex<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
-            match clip::look(&self.screen, &corners) {
+            match clip::look(self.screen, &corners) {
                 Clipped::Outside => {}
                 Clipped::Inside => piece(&corners),
-                Clipped::Cut(planes) => clip::cut(&self.screen, corners, planes, piece),
+                Clipped::Cut(planes) => clip::cut(self.screen, corners, planes, piece),
             }
         }
         count
@@ -187,7 +162,7 @@ impl Pipeline {
         for corners in triangles {
             number = number.wrapping_add(1);
             let corners = corners.map(&mut vertex);
-            if let Clipped::Inside = clip::look(&self.screen, &corners) {
+            if let Clipped::Inside = clip::look(self.screen, &corners) {
                 count = count.wrapping_add(self.finish(&corners, number, &mut draw));
             }
         }
@@ -220,17 +195,17 @@ impl Pipeline {
         topology: Topology,
         vertices: &[A],
         indices: &[impl Index],
-        mut vertex: impl FnMut(&A) -> Vertex<V>,
+        vertex: impl FnMut(&A) -> Vertex<V>,
         draw: impl FnMut(&Triangle<V>),
     ) -> Result<u32, IndexOutOfRange> {
-        Ok(self.triangles(assemble(topology, vertices, indices)?, |corner| vertex(corner), draw))
+        Ok(self.triangles(assemble(topology, vertices, indices)?, vertex, draw))
     }
 
     /// What is between the planes, from the perspective divide to culling. How many of it were drawn: one or none.
     ///
     /// Not inlined: it is called for whole triangles and for pieces, and `draw` may be large.
     #[inline(never)]
-    fn finish<V: Copy>(&self, corners: &[Vertex<V>; 3], number: u32, draw: &mut impl FnMut(&Triangle<V>)) -> u32 {
+    fn finish<V: Copy>(self, corners: &[Vertex<V>; 3], number: u32, draw: &mut impl FnMut(&Triangle<V>)) -> u32 {
         let Some(places) = self.screen.places(corners) else { return 0 };
         let turn = viewport::turn(places);
         let is_front = (turn > 0) == self.front_is_clockwise;

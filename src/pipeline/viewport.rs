@@ -1,6 +1,6 @@
 //! From clip coordinates to pixels.
 
-use super::Vertex;
+use super::vertex::Vertex;
 use crate::{
     geom::{space::Vec4, PointFx},
     num::{
@@ -36,7 +36,7 @@ impl Screen {
 
     /// Where three corners lie on the screen. `None` if one has no w above 0, which only happens where all its coordinates are 0.
     #[inline]
-    pub(super) fn places<V>(&self, corners: &[Vertex<V>; 3]) -> Option<[PointFx; 3]> {
+    pub(super) fn places<V>(self, corners: &[Vertex<V>; 3]) -> Option<[PointFx; 3]> {
         let [a, b, c] = corners.each_ref().map(|corner| corner.position);
         Some([self.place(a)?, self.place(b)?, self.place(c)?])
     }
@@ -45,7 +45,7 @@ impl Screen {
     ///
     /// Products: a coordinate below 2^31 times 128 times a size of up to 2^12 is below 2^50.
     #[inline(never)]
-    fn place(&self, at: Vec4) -> Option<PointFx> {
+    fn place(self, at: Vec4) -> Option<PointFx> {
         let [x, y, _, w] = at.to_bits().map(i64::from);
         if w <= 0 {
             return None;

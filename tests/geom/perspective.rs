@@ -1,6 +1,7 @@
 //! Values in perspective against exact ratios at every pixel.
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
     clippy::float_arithmetic,

@@ -1,4 +1,14 @@
 //! Values over triangles against exact ratios at every pixel, up to the largest triangles that are allowed.
+#![allow(
+    clippy::cast_lossless,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::missing_assert_message,
+    clippy::redundant_closure,
+    clippy::redundant_closure_for_method_calls,
+    reason = "tests mix widths on purpose; the wide side is checked where it matters"
+)]
 
 use embedded_graphics_core::pixelcolor::{Bgr555, Rgb565, Rgb888, RgbColor};
 use embedded_raster::{

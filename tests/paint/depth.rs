@@ -58,10 +58,9 @@ fn plain(shapes: &[Shape], start: u32, passes: impl Fn(u32, u32) -> bool) -> Vec
         .collect()
 }
 
-fn check<Z: Depth>(seed: u64, most: u32, number: impl Fn(u32) -> Z::Number + Copy, pack: impl Fn(u32) -> Z)
+fn check<Z>(seed: u64, most: u32, number: impl Fn(u32) -> Z::Number + Copy, pack: impl Fn(u32) -> Z)
 where
-    Z::Color: PartialEq + core::fmt::Debug,
-    Z: PartialEq + core::fmt::Debug,
+    Z: Depth + PartialEq + core::fmt::Debug,
 {
     let mut rng = Rng::new(seed);
     for round in 0..cases(600) {
@@ -220,7 +219,7 @@ fn what_is_not_painted_keeps_its_depth() {
     let odd = |level: u8, _| (level % 2 == 1).then_some(Index4::new(3));
     let window = Rect::new(0, 0, 40, 4);
     frame.paint(DepthShade::new(&mut buffer, plane, depth::less, odd), |_, brush| {
-        triangle::fill(corners, window, brush)
+        triangle::fill(corners, window, brush);
     });
     for at in (0..4).flat_map(|y| (0..40).map(move |x| Point::new(x, y))) {
         let painted = plane.at(at.x, at.y).1 % 2 == 1;

@@ -1,5 +1,7 @@
 //! What the simulator brings along: the paint program, the teapot, and the world.
 
 mod paint;
+#[path = "../golden/compare.rs"]
+mod pictures;
 mod teapot;
 mod world;

@@ -1,18 +1,15 @@
 //! The paint program: its demonstration against pictures in `tests/golden`, scripts that are wrong, steps back and forth, and
 //! what keys and mouse are. `BLESS=1 cargo test --test simulator` writes the pictures anew.
 
-#[path = "../golden/compare.rs"]
-mod pictures;
-
 use std::path::Path;
 
+use crate::pictures::compare;
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
 use embedded_raster::{pixel::EGA, EdgeTableFull};
 use embedded_raster_simulator::{
     paint::{parse, replay, Command, Desk, Done, Failure, Paint, FORMS},
     Event, Key, Picture,
 };
-use pictures::compare;
 
 const DEMO: &str = include_str!("../../assets/paint-demo.txt");
 

@@ -1,14 +1,12 @@
 //! The teapot: OBJ files, good and bad ones; pictures of each view in `tests/golden`; bands; and a rasterizer in floats as a twin.
 //! `BLESS=1 cargo test --test simulator` writes the pictures anew.
 
-#[path = "../golden/compare.rs"]
-mod pictures;
-
 use std::{
     collections::{HashMap, HashSet},
     path::Path,
 };
 
+use crate::pictures::compare;
 use embedded_graphics::pixelcolor::RgbColor;
 use embedded_raster::{pixel::Xrgb8888, Angle, Vec3};
 use embedded_raster_simulator::{
@@ -16,7 +14,6 @@ use embedded_raster_simulator::{
     Picture,
 };
 use fixed::types::I16F16;
-use pictures::compare;
 use twins::rng::{cases, Rng};
 
 const WIDTH: u16 = 96;

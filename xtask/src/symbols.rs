@@ -168,7 +168,7 @@ mod tests {
         for path in ["pipeline/clip", "geom/space/mod", "geom/facet", "geom/varying", "paint/shade", "paint/depth"] {
             assert!(firmware::project().join("src").join(path).with_extension("rs").is_file(), "{path}");
             let parts: Vec<&str> = path.split('/').filter(|part| *part != "mod").collect();
-            let mangled = parts.iter().map(|part| format!("{}{part}", part.len())).collect::<String>();
+            let mangled = parts.iter().map(|part| format!("{}{part}", part.len())).collect::<Vec<_>>().concat();
             let known = SPATIAL.iter().chain([&CLIPPER]).any(|name| name.contains(&mangled));
             assert!(known, "{mangled}");
         }

@@ -48,9 +48,12 @@ pub fn walk_blocks(corners: [PointFx; 3], window: Rect, sink: impl Sink) {
     }
 }
 
+/// An edge function that no triangle is too large for.
+type WideFunction = EdgeFunction<Wrapping<i64>>;
+
 /// The three edge functions, the pixels to look at, and whether 32 bits are enough. `None` if there is no pixel.
 #[inline]
-fn set_up(corners: [PointFx; 3], window: Rect) -> Option<([EdgeFunction<Wrapping<i64>>; 3], Rect, bool)> {
+fn set_up(corners: [PointFx; 3], window: Rect) -> Option<([WideFunction; 3], Rect, bool)> {
     let [a, mut b, mut c] = corners.map(bits);
     let products = (difference(b.0, a.0), difference(c.1, a.1), difference(b.1, a.1), difference(c.0, a.0));
     match compare_products((products.0, products.1), (products.2, products.3)) {

@@ -136,15 +136,16 @@ pub(in crate::pixel::rows) fn write_all<F: PixelFormat>(run: &mut [u8], mut next
 #[inline(always)]
 fn in_fours<T>(mut pixels: &mut [T], mut next: impl FnMut() -> T) {
     if FOURS {
-        let (fours, rest) = pixels.as_chunks_mut::<4>();
-        for [a, b, c, d] in fours {
+        let mut fours = pixels.chunks_exact_mut(4);
+        for four in &mut fours {
+            let [a, b, c, d] = four else { break };
             keep_rolled(true);
             *a = next();
             *b = next();
             *c = next();
             *d = next();
         }
-        pixels = rest;
+        pixels = fours.into_remainder();
     }
     for pixel in pixels {
         keep_rolled(FOURS);
