@@ -6,7 +6,7 @@ use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::budget::{self, Columns};
 use xtask::table::{self, Cell};
-use xtask::{checks, heading, proofs, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
+use xtask::{checks, cube, heading, proofs, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -37,6 +37,8 @@ On RISC-V there are instructions only.
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s] [--cpu]
         draw the map of the world, a scene of all shapes, and a cube in little RAM; fail when a frame differs from this computer's
+    cube [--target CHIP]... [--opt 3|s] [--cpu]
+        the cube alone: whole and in bands, in 96, 48 and 16 kB of RAM
     budget [--bless]
         fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
@@ -72,6 +74,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("table") => print_tables(args),
         Some("size") => print_sizes(args),
         Some("scene") => print_scene(args),
+        Some("cube") => print_cube(args),
         Some("budget") => budget(args),
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
@@ -139,6 +142,15 @@ fn print_scene(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
     scene::check_all(&builds)
+}
+
+fn print_cube(mut args: Arguments) -> Result<()> {
+    let builds = builds(&mut args)?;
+    finish(args)?;
+    builds.into_iter().try_for_each(|build| {
+        println!("{}\n", heading(build)?);
+        cube::check(build)
+    })
 }
 
 fn budget(mut args: Arguments) -> Result<()> {
