@@ -17,6 +17,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Depth", "shades with depths call it"),
     ("DepthOf", "triangles with depths call it"),
     ("Channels", "textures call it"),
+    ("Numbers", "values in perspective call it"),
     ("Outside", "the same"),
     ("Index", "`assemble` calls it"),
     ("Texture::clone", "a copy"),

@@ -32,7 +32,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
-    paint::{depth, DepthShade, Shade, ShadeSome},
+    paint::{depth, DepthShade, Linear, Radial, Shade, ShadeSome},
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
@@ -230,6 +230,14 @@ calls! {
     new => a.facet().map(|facet| {
         let shade = Shade::new(Plane::new(&facet, a.depths()), |(_, level)| color(level));
         on.paint(shade, |window, brush| triangle::fill(corners, window, brush));
+    });
+    [Linear]
+    new => on.paint(Linear::new([a.places[0], a.places[1]], a.outside(), |level, _| color(level)), |window, brush| {
+        triangle::fill(corners, window, brush);
+    });
+    [Radial]
+    new => on.paint(Radial::new(a.places[0], a.size, a.outside(), |level, _| color(level)), |window, brush| {
+        triangle::fill(corners, window, brush);
     });
     [ShadeSome]
     new => a.facet().map(|facet| {

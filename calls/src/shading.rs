@@ -2,8 +2,8 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_raster::{
-    geom::{At, Barycentric, Facet, Fast, Mix, Plane},
-    paint::depth,
+    geom::{At, Barycentric, Facet, Fast, Mix, Perspective, Plane, Runs},
+    paint::{depth, Bayer, Outside},
     pipeline::{assemble, Facing, Pipeline, Topology, Triangle, Vertex},
     pixel::Depth16,
     surface::{
@@ -41,12 +41,22 @@ calls! {
     mix => place.map(|place| look(Values::mix(&place, values)));
     [Plane]
     new => a.facet().map(|facet| look(Plane::new(&facet, values).at(0, 0)));
-    at => a.facet().map(|facet| look(Plane::new(&facet, values).at(n, m)));
+    at => a.facet().map(|facet| {
+        let far = a.numbers;
+        let seen = [0, 1, 2].map(|i| Perspective { w: I16F16::from_bits(far[i]), value: (a.byte(i), I16F16::from_bits(far[i + 1])) });
+        let runs = seen.map(|Perspective { w, value: (byte, place) }| Runs::<_, 16> { w, value: (byte, Fast((place, place))) });
+        let (seen, runs) = (Plane::new(&facet, seen).at(n, m).value, Plane::new(&facet, runs).at(n, m).value);
+        ((look(Plane::new(&facet, values).at(n, m)), i32::from(runs.0)), (i32::from(seen.0), seen.1.to_bits()))
+    });
     each => a.facet().map(|facet| {
         let mut sum = 0;
         Plane::new(&facet, values).each(n, m, a.numbers[4].unsigned_abs() % 100, |values| sum = (sum, look(values)).answer());
         sum
     });
+    [Bayer]
+    threshold => (Bayer::<2>::threshold(a.points[0]), Bayer::<8>::threshold(a.points[0]));
+    shade => Bayer::<4>::shade(a.byte(0), a.byte(1), a.points[0]);
+    fine_shade => Bayer::<8>::fine_shade(a.halves(0)[0], a.byte(1), a.points[0]);
     [depth]
     less => depth::less(&n, &m);
     less_equal => depth::less_equal(&n, &m);
@@ -100,6 +110,11 @@ fn look((small, (n, bits, fixed), [first, second], (packed, fast, color), At(at)
 impl<L: Layout> Arguments<'_, L> {
     pub(crate) fn facet(&self) -> Option<Facet> {
         Facet::new(self.corners_fx()).ok()
+    }
+
+    /// What a gradient is beyond its ends.
+    pub(crate) fn outside(&self) -> Outside {
+        [Outside::Clamp, Outside::Repeat, Outside::Mirror].get(self.corners.len() % 3).copied().unwrap_or_default()
     }
 
     /// At three corners.
