@@ -150,7 +150,7 @@ impl Facet {
     /// 2^52 for the start.
     #[inline(never)]
     pub(crate) fn byte_slopes(&self, [v0, v1, v2]: [u8; 3], bits: u32) -> [u64; 3] {
-        let start = u64::from(v0) << bits;
+        let start = u64::from(v0) << (bits & 63);
         if self.area == 0 {
             return [start, 0, 0];
         }

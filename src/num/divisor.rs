@@ -31,7 +31,7 @@ impl Divisor {
     pub(crate) fn new(d: u64) -> Self {
         let d = d.max(1);
         let shift = d.leading_zeros();
-        let wide = d << shift;
+        let wide = d << (shift & 63);
         let inverse = match NonZeroU32::new(low_u32(wide >> 32)) {
             Some(high) if BY_DIGITS && low_u32(wide) == 0 => reciprocal(high),
             _ => reciprocal_wide(wide),
@@ -46,7 +46,7 @@ impl Divisor {
     #[inline]
     pub(crate) fn quotient(&self, n: i64) -> (i64, u64) {
         let m = n.unsigned_abs();
-        let mut q = high_product(m, self.inverse) >> self.down;
+        let mut q = high_product(m, self.inverse) >> (self.down & 63);
         let mut r = m.wrapping_sub(q.wrapping_mul(self.d));
         if r >= self.d {
             (q, r) = (q.wrapping_add(1), r.wrapping_sub(self.d));
@@ -69,7 +69,7 @@ impl Divisor {
         let (q, r) = self.quotient(n);
         let (high, low) = (high_product(r, self.inverse), r.wrapping_mul(self.inverse));
         // The high half is below 2^down, so nothing is lost on the left.
-        let fraction = high.checked_shl(64_u32.wrapping_sub(self.down)).unwrap_or(0) | low >> self.down;
+        let fraction = high.checked_shl(64_u32.wrapping_sub(self.down)).unwrap_or(0) | low >> (self.down & 63);
         Mixed { whole: narrow(q), fraction } + Mixed { whole: 0, fraction: 3 }
     }
 }

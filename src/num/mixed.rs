@@ -33,7 +33,7 @@ impl Mixed {
     /// The highest 64 bits, of which `whole` bits are before the point; cut down.
     #[inline(always)]
     pub(crate) fn cut(self, whole: u32) -> u64 {
-        u64::from(unsigned(self.whole)) << 32 << (32_u32.wrapping_sub(whole)) | self.fraction >> whole
+        u64::from(unsigned(self.whole)) << 32 << (32_u32.wrapping_sub(whole) & 63) | self.fraction >> (whole & 63)
     }
 }
 

@@ -55,9 +55,9 @@ fn inside(screen: Screen, at: Vec4, plane: u32) -> i64 {
 fn outcode(screen: Screen, at: Vec4) -> u32 {
     let [x, y, _, w] = at.to_bits().map(i64::from);
     let edges = [w.wrapping_add(x), w.wrapping_sub(x), w.wrapping_add(y), w.wrapping_sub(y)];
-    let planes = (0..PLANES).fold(0, |code, plane| code | u32::from(inside(screen, at, plane) < 0) << plane);
-    let bits = (PLANES..).zip(edges);
-    bits.fold(planes, |code, (bit, distance)| code | u32::from(distance < 0) << bit)
+    let planes = (0..PLANES).fold(0, |code, plane| code | u32::from(inside(screen, at, plane) < 0) << (plane & 31));
+    let bits = (PLANES..PLANES + 4).zip(edges);
+    bits.fold(planes, |code, (bit, distance)| code | u32::from(distance < 0) << (bit & 31))
 }
 
 /// Which planes cut a triangle.
@@ -84,7 +84,7 @@ pub(super) fn cut<V: Mix>(
     // Two polygons, by turns what is cut and what comes of it: only the references change places.
     let (mut first, mut second): (Polygon<V>, Polygon<V>) = (Vec::from_array(corners), Vec::new());
     let (mut from, mut to) = (&mut first, &mut second);
-    for plane in (0..PLANES).filter(|plane| planes >> plane & 1 != 0) {
+    for plane in (0..PLANES).filter(|plane| planes >> (plane & 31) & 1 != 0) {
         cut_by_plane(screen, from, plane, to);
         swap(&mut from, &mut to);
     }
