@@ -38,6 +38,10 @@ pub fn check() -> Result<()> {
 pub fn full() -> Result<()> {
     let start = Instant::now();
     quick(&[&[]], 100, Columns::All)?;
+    cargo_step(
+        "sequences on every layout",
+        &["test", "--workspace", "--features", "embedded-raster-twins/all-layouts", "--test", "sequences"],
+    )?;
     step("cross: every chip", || Chip::ALL.into_iter().try_for_each(proofs::cross))?;
     step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;

@@ -30,7 +30,11 @@ fn small() -> [Corners; 120] {
         let b = (x + 15 * 256 + n * 37 % 900, y + n * 91 % 700, n % 60, 5, 3);
         let c = (x + n * 53 % 800, y + 13 * 256 + n * 77 % 800, 5, n * 7 % 60, 4);
         let a = (x + n * 17 % 256, y, 20, 20, 4);
-        if i % 2 == 0 { [a, b, c] } else { [c, b, a] }
+        if i % 2 == 0 {
+            [a, b, c]
+        } else {
+            [c, b, a]
+        }
     })
 }
 
@@ -52,7 +56,7 @@ fn main() {
         nearest(name, "mirror", triangles, &mut memory, Texture::new(&part, (Mirror, Mirror)).unwrap());
         measure(name, "64x64", "exact", triangles, &mut memory, |u, v, _| (u, v), move |(u, v)| tile.nearest(u, v));
         let seen = |u, v, w| Perspective { w, value: Fast((u, v)) };
-        let color = move |at: Perspective<Fast<(I16F16, I16F16)>>| tile.nearest(at.value.0.0, at.value.0.1);
+        let color = move |at: Perspective<Fast<(I16F16, I16F16)>>| tile.nearest(at.value.0 .0, at.value.0 .1);
         measure(name, "64x64", "perspective", triangles, &mut memory, seen, color);
         runs::<8, _, _>(name, "runs-8", triangles, &mut memory, tile);
         runs::<16, _, _>(name, "runs-16", triangles, &mut memory, tile);
@@ -81,7 +85,7 @@ fn runs<const N: u32, U: Outside, V: Outside>(
     texture: Texture<'_, Rows<Rgb565>, U, V>,
 ) {
     let value = |u, v, w| Runs::<_, N> { w, value: Fast((u, v)) };
-    let color = move |at: Runs<Fast<(I16F16, I16F16)>, N>| texture.nearest(at.value.0.0, at.value.0.1);
+    let color = move |at: Runs<Fast<(I16F16, I16F16)>, N>| texture.nearest(at.value.0 .0, at.value.0 .1);
     measure(name, "64x64", mode, triangles, memory, value, color);
 }
 

@@ -19,6 +19,8 @@ fn main() {
         let [at, end] = size::points();
         let Ok(picture) = Bitmap::<Rgb565>::new(black_box(&PICTURE), 16, 16) else { return };
         let Ok(mask) = Bitmap::<Lsb0<Index1>>::new(black_box(&PICTURE), 16, 16) else { return };
+        let Ok(mask_msb0) = Bitmap::<Index1>::new(black_box(&PICTURE), 16, 16) else { return };
+        let mut out = [0; 16];
         let (line, triangle) = ([at, end], [a, b, c]);
         let segments = [PathSegment::MoveTo(PointFx::px(1, 2)), PathSegment::LineTo(a)];
         let mut arguments = black_box(Arguments {
@@ -41,6 +43,15 @@ fn main() {
             colors: [size::color::<Rgb565>(); 2],
             picture,
             mask,
+            mask_msb0,
+            window: size::area(),
+            numbers: [at.x, at.y, end.x, end.y, 3, 4],
+            bytes: black_box(&PICTURE),
+            out: &mut out,
+            starts: &[2],
+            sides: &mut [],
+            triangles: &mut [],
+            neighbours: &mut [],
         });
         // One of them, which is not known either: all have to be there.
         black_box(call(frame, &mut arguments, black_box(0)));
