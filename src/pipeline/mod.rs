@@ -187,7 +187,7 @@ impl Pipeline {
     ///     |place| Vertex::new(place.with_w(I16F16::ONE), ()),
     ///     |triangle| triangle.fill(&mut frame, |fragment| Some(Gray8::new(fragment.number as u8))),
     /// )?;
-    /// assert_eq!(ram, [1, 1, 1, 2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 2]);
+    /// assert_eq!(ram, [2, 2, 2, 2, 1, 2, 2, 2, 1, 1, 2, 2, 1, 1, 1, 2]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn indexed<A, V: Mix>(

@@ -19,7 +19,7 @@
 //! let shine = specular(normal, to_light, half_way(to_light, to_eye), &GLOSS);
 //! let [ambient, wood, varnish] = [0.1, 0.6, 0.3].map(I16F16::from_num);
 //! let brightness = ambient + matt * wood + shine * varnish; // as a part of white
-//! assert_eq!((matt, brightness.to_num::<f32>()), (I16F16::from_num(0.8), 0.637_634_3));
+//! assert_eq!((matt, brightness.to_num::<f32>()), (I16F16::from_num(0.8), 0.635_650_63));
 //! ```
 //! Sources: J. H. Lambert, "Photometria", 1760; J. F. Blinn, "Models of Light Reflection for Computer Synthesized Pictures",
 //! SIGGRAPH 1977.
