@@ -182,7 +182,9 @@ fn shares<const N: u32>() {
     let n = i32::try_from(N).unwrap();
     for corner in [0, 7, -9, i32::MIN, i32::MAX - 7] {
         let block: Vec<Point> = (0..n)
-            .flat_map(|y| (0..n).map(move |x| Point::new(corner.wrapping_add(x), 3_i32.wrapping_sub(corner).wrapping_add(y))))
+            .flat_map(|y| {
+                (0..n).map(move |x| Point::new(corner.wrapping_add(x), 3_i32.wrapping_sub(corner).wrapping_add(y)))
+            })
             .collect();
         let mut thresholds: Vec<u32> = block.iter().map(|&at| Bayer::<N>::threshold(at)).collect();
         thresholds.sort_unstable();
