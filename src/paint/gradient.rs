@@ -79,7 +79,7 @@ impl<F> Linear<F> {
         let (x, y) = (difference(to.0, from.0), difference(to.1, from.1));
         let widest = x.unsigned_abs().max(y.unsigned_abs());
         let shift = 40_u32.saturating_sub(widest.leading_zeros());
-        let way = (saturate(x >> shift), saturate(y >> shift));
+        let way = (saturate(x >> (shift & 63)), saturate(y >> (shift & 63)));
         let square = |n: i32| magnitude(i64::from(n).wrapping_mul(n.into()));
         let size = square(way.0).wrapping_add(square(way.1)) << (shift.wrapping_add(1) & 63);
         Self { from, way, size, divisor: Divisor::new(size), outside, color }
@@ -103,7 +103,7 @@ impl<F> Linear<F> {
         // First a number of 60 bits, then eight digits of 2. A remainder is below 2^59, with a digit below 2^61.
         let (mut quotient, mut rest) = (0_i128, 0);
         for shift in [16, 14, 12, 10, 8, 6, 4, 2, 0] {
-            let digit = if shift == 16 { n >> 16 } else { n >> shift & 3 };
+            let digit = if shift == 16 { n >> 16 } else { n >> (shift & 127) & 3 };
             let part = signed_wide(rest << 2).wrapping_add(i64::try_from(digit).unwrap_or(0));
             let (q, r) = self.divisor.quotient(part);
             (quotient, rest) = ((quotient << 2).wrapping_add(q.into()), r);
@@ -118,7 +118,7 @@ fn modulo(n: i128, period: u32) -> u32 {
     // 510 and 255 both divide what is added.
     let n = n.wrapping_add(510 << 90).cast_unsigned();
     for shift in [96, 80, 64, 48, 32, 16, 0] {
-        let digits = rest << 16 | low_u32(low_u64(n >> shift)) & 0xffff;
+        let digits = rest << 16 | low_u32(low_u64(n >> (shift & 127))) & 0xffff;
         rest = digits.checked_rem(period).unwrap_or(0);
     }
     rest
