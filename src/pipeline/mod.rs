@@ -41,7 +41,7 @@
 //! ```
 //!
 //! # Coordinates
-//! Clip coordinates are [`Vec4`]s: x from -w to w from left to right, y from -w to w from bottom to top, z from 0 at the near plane
+//! Clip coordinates are [`Vec4`](crate::Vec4)s: x from -w to w from left to right, y from -w to w from bottom to top, z from 0 at the near plane
 //! to w at the far one. What is divided by w are normalized device coordinates, NDC. The viewport maps x from -1 to 1 to pixels 0 to
 //! W, and y from *1 to -1* to pixels 0 to H: on the screen y points down.
 //! ```text
