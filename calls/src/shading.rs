@@ -42,8 +42,8 @@ calls! {
     [Plane]
     new => a.facet().map(|facet| look(Plane::new(&facet, values).at(0, 0)));
     at => a.facet().map(|facet| {
-        let far = a.numbers;
-        let seen = [0, 1, 2].map(|i| Perspective { w: I16F16::from_bits(far[i]), value: (a.byte(i), I16F16::from_bits(far[i + 1])) });
+        let [p, q, r, s, ..] = a.numbers.map(I16F16::from_bits);
+        let seen = [(p, q), (q, r), (r, s)].map(|(w, place)| Perspective { w, value: (a.byte(0), place) });
         let runs = seen.map(|Perspective { w, value: (byte, place) }| Runs::<_, 16> { w, value: (byte, Fast((place, place))) });
         let (seen, runs) = (Plane::new(&facet, seen).at(n, m).value, Plane::new(&facet, runs).at(n, m).value);
         ((look(Plane::new(&facet, values).at(n, m)), i32::from(runs.0)), (i32::from(seen.0), seen.1.to_bits()))
@@ -120,8 +120,13 @@ impl<L: Layout> Arguments<'_, L> {
     /// At three corners.
     fn values(&self) -> [Values; 3] {
         [0, 1, 2].map(|i| {
-            let ([low, high], [next, _]) = (self.halves(i), self.halves(i + 1));
-            let [_, blue, green, red] = [self.byte(i), self.byte(i + 3), self.byte(i + 6), self.byte(i + 9)];
+            let ([low, high], [next, _]) = (self.halves(i), self.halves(i.wrapping_add(1)));
+            let [_, blue, green, red] = [
+                self.byte(i),
+                self.byte(i.wrapping_add(3)),
+                self.byte(i.wrapping_add(6)),
+                self.byte(i.wrapping_add(9)),
+            ];
             let number = self.numbers.get(i).copied().unwrap_or_default();
             (
                 (red, low, Fast(high)),
@@ -135,10 +140,10 @@ impl<L: Layout> Arguments<'_, L> {
 
     /// Corners in clip coordinates: near the places on a screen of 64 pixels, or anywhere.
     pub(crate) fn vertices(&self) -> [Vertex<u8>; 3] {
-        let mut number = 0..;
+        let mut number = 0_usize..;
         self.corners_fx().map(|corner| {
             let i = number.next().unwrap_or_default();
-            let [z, w] = [i, i + 3].map(|i| self.numbers.get(i).copied().unwrap_or_default());
+            let [z, w] = [i, i.wrapping_add(3)].map(|i| self.numbers.get(i).copied().unwrap_or_default());
             let [x, y] = [corner.x, corner.y].map(|n| n.to_bits().wrapping_mul(8).wrapping_sub(1 << 16));
             let [z, w] = if self.flag { [z, w] } else { [z & 0xffff, 1 << 16] };
             Vertex::new(Vec4::from_bits([x, y.wrapping_neg(), z, w]), self.byte(i))

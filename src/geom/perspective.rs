@@ -155,7 +155,7 @@ impl Inverse {
     fn new(nearness: u64) -> Self {
         let d = whole(nearness).wrapping_add(3) | 1;
         let shift = d.leading_zeros();
-        Self { v: reciprocal(d << shift), shift }
+        Self { v: reciprocal(d << (shift & 31)), shift }
     }
 
     /// How often d goes into a share that is not larger, in 2^-32; below 1.
