@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use calls::{call, computing, frames, Arguments};
+use calls::{call, computing, frames, shading, Arguments};
 #[cfg(not(target_os = "none"))]
 use embedded_graphics_core::pixelcolor::Gray2;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, Rgb888};
@@ -88,6 +88,12 @@ layouts! {
 #[no_mangle]
 pub extern "C" fn compute(on: &mut Palette<Rgb888, 16>, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
     computing::call(on, a, number)
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn shade(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
+    let Some(frame) = m.frame::<Rows<Rgb565>>() else { return 0 };
+    shading::call(&frame.as_bitmap(), a, number)
 }
 
 #[no_mangle]
