@@ -140,7 +140,7 @@ impl<L: Layout> Arguments<'_, L> {
 
     /// Corners in clip coordinates: near the places on a screen of 64 pixels, or anywhere.
     pub(crate) fn vertices(&self) -> [Vertex<u8>; 3] {
-        let mut number = 0_usize..;
+        let mut number = 0..usize::MAX;
         self.corners_fx().map(|corner| {
             let i = number.next().unwrap_or_default();
             let [z, w] = [i, i.wrapping_add(3)].map(|i| self.numbers.get(i).copied().unwrap_or_default());

@@ -96,9 +96,9 @@ pub enum LevelSlopes {
 
 /// How three levels change over a large triangle, where packed numbers are right for a run of some pixels.
 ///
-/// Between runs, what the steps of a run gained too much is taken back, down to less than 1 unit: after j runs and k steps the
-/// numbers are too large by less than j + k + 1 units. Where that would not do for the longest rows, each run starts from the finer
-/// numbers.
+/// Each step adds up to one unit too much. After a run, the whole units of that are subtracted: so after j runs, and k steps of the
+/// next one, the numbers are too large by less than j + k + 1 units. Where the longest rows would need more runs than that allows,
+/// each run starts from the finer numbers instead.
 #[derive(Copy, Clone, Debug)]
 pub struct Apart {
     levels: [ByteSlopes; 3],
@@ -199,7 +199,7 @@ fn times(n: u128, factor: u32) -> u128 {
 /// The level whose lowest bit is that one. Each lies in one of the four words.
 #[inline(always)]
 fn level(n: u128, bit: u32) -> u8 {
-    low_u8(low_u32(low_u64(n >> (bit & !31))) >> (bit & 31))
+    low_u8(low_u32(low_u64(n >> (bit & 0x60))) >> (bit & 31))
 }
 
 impl Varying for Levels {
@@ -296,7 +296,7 @@ impl FastRun {
     #[inline(always)]
     fn cut(at: u128) -> u64 {
         let part = |(from, to): (u32, u32), mask: u64| {
-            (low_u64(at >> from.wrapping_add(Levels::BITS - Self::BITS)) & mask) << to
+            (low_u64(at >> (from.wrapping_add(Levels::BITS - Self::BITS) & 127)) & mask) << (to & 63)
         };
         let ([a, b, c], [p, q, r]) = (Levels::PLACES, Self::PLACES);
         part((a, p), (1 << 21) - 1) | part((b, q), (1 << 22) - 1) | part((c, r), (1 << 21) - 1)
@@ -316,7 +316,7 @@ impl Varying for Fast<Levels> {
             // Towards zero.
             let up = (signed_wide(gain) >> 63).cast_unsigned() & ((1 << less) - 1);
             let gain = (signed_wide(gain.wrapping_add(up)) >> less).cast_unsigned();
-            sum.wrapping_add(gain << place)
+            sum.wrapping_add(gain << (place & 63))
         });
         FastSlopes { levels, by }
     }
