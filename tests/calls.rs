@@ -18,7 +18,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("DepthOf", "triangles with depths call it"),
     ("Channels", "textures call it"),
     ("Numbers", "values in perspective call it"),
-    ("Outside", "the same"),
+    ("AddressMode", "the same"),
     ("Index", "`assemble` calls it"),
     ("Texture::clone", "a copy"),
     ("$vector", "operators of vectors: `Vec3::new`, `Vec4::new` and those beside them are listed with them"),

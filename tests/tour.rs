@@ -17,7 +17,8 @@ use embedded_graphics_core::{
 };
 use embedded_raster::{
     buffer_bytes,
-    paint::{Bayer, Here},
+    geom::At,
+    paint::Bayer,
     pixel::EGA,
     raster::{
         ellipse,
@@ -85,9 +86,9 @@ fn dither() -> Result<Picture, Error> {
     let mut ram = [0; buffer_bytes::<Gray4>(128, 48)];
     let mut frame = Framebuffer::<Gray4>::new(&mut ram, 128, 48)?;
     let corners = |x: i32| [(x + 4, 44), (x + 30, 3), (x + 60, 40)].map(|(x, y)| PointFx::px(x, y));
-    let levels = [20, 250, 90].map(|level: u8| (level, Here::default()));
+    let levels = [20, 250, 90].map(|level: u8| (level, At::default()));
     frame.shade_triangle_fx(corners(0), levels, |(level, _)| Gray4::new(level >> 4))?;
-    frame.shade_triangle_fx(corners(64), levels, |(level, here)| Gray4::new(Bayer::<4>::shade(level, 15, here.0)))?;
+    frame.shade_triangle_fx(corners(64), levels, |(level, At(at))| Gray4::new(Bayer::<4>::shade(level, 15, at)))?;
     Ok(Picture::of(&frame).zoomed(ZOOM))
 }
 

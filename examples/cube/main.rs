@@ -14,6 +14,7 @@ use embedded_graphics::{
 use embedded_raster::{
     buffer_bytes,
     geom::{Mix, Varying},
+    paint::Bayer,
     pixel::{row_bytes, Depth16, Xrgb8888},
     surface::DepthBuffer,
     Angle, Framebuffer, PixelFormat,
@@ -77,13 +78,7 @@ struct Drawing {
 
 /// Draws at the depth that was asked for.
 fn draw(options: &Options, turn: Angle) -> Result<Drawing, embedded_raster::Error> {
-    // Of as many levels as there are, the one above or below: which of them depends on the pixel.
-    let dithered = |at: Point, level: u8, most: u8| {
-        const BAYER: [[u16; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
-        let place = |n: i32| usize::try_from(n & 3).unwrap_or(0);
-        let sum = u16::from(level) * u16::from(most) + BAYER[place(at.y)][place(at.x)] * 16 + 7;
-        u8::try_from(sum / 255).unwrap_or(most).min(most)
-    };
+    let dithered = |at: Point, level: u8, most: u8| Bayer::<4>::shade(level, most, at);
     let gray = |color: Rgb888| Gray8::from(color).luma();
     match options.bits {
         1 => draw_as(options, turn, gray, |at, level| BinaryColor::from(dithered(at, level, 1) > 0)),

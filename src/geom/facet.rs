@@ -21,7 +21,7 @@ use crate::{
     error::TriangleTooLarge,
     num::{
         cast::{magnitude, narrow, saturate, signed_wide, unsigned},
-        divisor::{Divisor, Scale},
+        divisor::{Scale, WideDivisor},
         mixed::Mixed,
         round::{difference, first_centre_from},
     },
@@ -45,7 +45,7 @@ pub struct Facet {
     sides: [(i32, i32); 2],
     is_clockwise: bool,
     area: i64,
-    divisor: Divisor,
+    divisor: WideDivisor,
     /// The first pixel of its box.
     first: (i32, i32),
     /// Width and height of the box together, in pixels, rounded up.
@@ -84,7 +84,7 @@ impl Facet {
             sides: [b, c],
             is_clockwise,
             area: area.wrapping_abs(),
-            divisor: Divisor::new(area.unsigned_abs()),
+            divisor: WideDivisor::new(area.unsigned_abs()),
             first: (first_centre_from(left), first_centre_from(upper)),
             extent: extent.div_ceil(256),
         })
@@ -290,7 +290,7 @@ impl Barycentric {
         if self.total <= 0 {
             return [I16F16::ONE, I16F16::ZERO, I16F16::ZERO];
         }
-        let divisor = Divisor::new(magnitude(self.total));
+        let divisor = WideDivisor::new(magnitude(self.total));
         // A weight is below 2^56: divided first, its rest times 2^16 is below 2^58.
         let part = |w: i64| {
             let (q, r) = divisor.quotient(w);
@@ -310,7 +310,7 @@ impl Barycentric {
         if self.total <= 0 {
             return values[0];
         }
-        let divisor = Divisor::new(magnitude(self.total));
+        let divisor = WideDivisor::new(magnitude(self.total));
         let [v0, v1, v2] = values.map(i64::from);
         let [_, w1, w2] = self.weights;
         let (q1, r1) = product(&divisor, w1, v1.wrapping_sub(v0));
@@ -322,7 +322,7 @@ impl Barycentric {
 }
 
 /// Quotient and remainder of `w v` by a divisor below 2^46, for a v of 33 bits: digit by digit, as the product may have 97 bits.
-fn product(divisor: &Divisor, w: i64, v: i64) -> (i128, u64) {
+fn product(divisor: &WideDivisor, w: i64, v: i64) -> (i128, u64) {
     let (whole, rest) = divisor.quotient(w);
     let (rest, high, low) = (signed_wide(rest), v >> 16, v & 0xffff);
     let (q1, r1) = divisor.quotient(rest.wrapping_mul(high));

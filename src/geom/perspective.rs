@@ -14,8 +14,8 @@
 //! of each number, which is the part of its range above the least of the three, times the nearness. A pixel takes one reciprocal of
 //! its nearness, exact in 33 bits, and two products for each number.
 //!
-//! **Error.** Where w differs by at most a factor r over the triangle, a value is the nearest number but for `r 2^-27` of the range
-//! of its corners. For bytes and r = 16 that is 1 / 32,000 of a step, beside the half that rounding takes. What is equal at all corners
+//! **Error.** Where w differs by at most a factor r over the triangle, a value is off by at most the half unit that rounding takes and
+//! `r 2^-27` of the range of its corners. For bytes and r = 16 the latter is 1 / 32,000 of a step. What is equal at all corners
 //! is constant, and no value leaves the range of its corners. A w that is not positive is taken for the least that is.
 //!
 //! **In runs.** [`Runs`] finds the value at both ends of a run of pixels, and goes evenly in between. Over a run along which w changes

@@ -16,8 +16,8 @@
 //!   48 bits are enough for rows too.
 //! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1 + 2 n / D units of 2^-56, with n below
 //!   2^30.6 for a step, and below 2^52 for the start: 2^(13.6 + 41.2) + 2^(1 + 13.6 + 30.6) + 2^53 is below 2^56.
-//! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. That is enough for some
-//!   pixels, too.
+//! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. Along a row of a large
+//!   triangle, they are computed anew every few pixels, too.
 //!
 //! **Fast.** [`Fast`] starts each row from the same plane, and goes on in 32 bits: 16 for the fraction. A step is cut towards zero,
 //! so a value that is found n pixels from the start of a row is off by at most `n 2^-16` and the half that rounding takes. It
@@ -591,8 +591,8 @@ fast! {
 
 /// Two numbers of 32 bits at one pixel as one of 64, and what is added to it: the first one, and `2^32` times the second.
 ///
-/// So the high word is the second number, or one less where the first is negative. The compiler would count two numbers four times,
-/// once for each pixel of a turn of the loop, and there are not enough registers.
+/// So the high word is the second number, or one less where the first is negative. Two separate numbers would take too many
+/// registers: of each the compiler keeps four values, as the loop does four pixels in a turn.
 #[derive(Copy, Clone, Debug)]
 pub struct Pair {
     at: u64,

@@ -1,4 +1,4 @@
-//! [`Divisor`]: many divisions by one number, by products with its reciprocal.
+//! [`WideDivisor`]: many divisions by one number, by products with its reciprocal.
 //!
 //! Source: T. Granlund and P. Montgomery, "Division by Invariant Integers using Multiplication", PLDI 1994.
 
@@ -15,17 +15,17 @@ const BY_DIGITS: bool = DIVIDES && !COMPACT;
 
 /// A number `d` to divide by.
 ///
-/// With `d 2^s` from 2^63 to 2^64, `inverse` is `floor((2^127 - 1) / (d 2^s))`. That are 64 bits, the highest one set, and it is
+/// With `d 2^s` from 2^63 to 2^64, `inverse` is `floor((2^127 - 1) / (d 2^s))`. It has 64 bits, the highest one set, and is
 /// below `2^127 / (d 2^s)` by at most 1 + 2^-63.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Divisor {
+pub(crate) struct WideDivisor {
     d: u64,
     inverse: u64,
     /// 63 - s
     down: u32,
 }
 
-impl Divisor {
+impl WideDivisor {
     /// Of a number from 1 to 2^63 - 1; 0 is taken for 1.
     #[inline]
     pub(crate) fn new(d: u64) -> Self {
@@ -74,12 +74,12 @@ impl Divisor {
     }
 }
 
-impl Divisor {
+impl WideDivisor {
     /// `2^bits n / d`, for up to 64 bits: not below it, and above it by less than `1 + 2^(bits - 63) |n| / d`. Of the whole part of
     /// what is wanted, what is left in 64 bits.
     ///
-    /// |n| times the reciprocal, divided by `2^(127 - s - bits)`: the reciprocal is too small by at most 1 + 2^-63. So it is right for
-    /// a negative n, and of another n the reciprocal is taken with 1 more.
+    /// It is |n| times the reciprocal, divided by `2^(127 - s - bits)`. The reciprocal is at most 1 + 2^-63 below the true one. For a
+    /// negative n that errs upwards, as wanted; for any other n, the reciprocal plus 1 is taken.
     #[inline]
     pub(crate) fn ratio(&self, n: i64, bits: u32) -> u64 {
         let m = n.unsigned_abs();
@@ -148,7 +148,7 @@ impl Scale {
 
     /// `2^(bits - 8) n / d` and `more`: above the ratio by at least `more - 1 - 2^-39 |n|`, and by at most `more + 2^-39 |n|`.
     ///
-    /// Of the product with n in two's complement, so many times 2^64 is taken off as n is negative.
+    /// The product is one without signs: of a negative n it is 2^64 times the factor too large, which is subtracted.
     #[inline(always)]
     pub(crate) fn wide_ratio(self, n: i64, more: u64) -> u64 {
         let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
 
     fn check(n: i64, d: u64) {
-        let got = Divisor::new(d).divide(n);
+        let got = WideDivisor::new(d).divide(n);
         // With the low 32 bits of the whole part, as everything here.
         let (n, d) = (i128::from(n), i128::from(d));
         let whole = n.div_euclid(d);
@@ -275,7 +275,7 @@ mod tests {
         for &d in &ends {
             for n in (0..52).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 - 1]).chain([0]) {
                 for (n, bits) in [(n, 64), (-n, 64), (n, 56), (-n, 56), (n, 37), (-n, 37), (n, 1), (-n, 0)] {
-                    let got = Divisor::new(d).ratio(n, bits);
+                    let got = WideDivisor::new(d).ratio(n, bits);
                     // got - 2^bits n / d, times d; of got, 64 bits are known.
                     let exact = i128::from(n) << bits;
                     let floor = exact.div_euclid(d.into());
@@ -284,7 +284,7 @@ mod tests {
                     let most = i128::from(d) + ((i128::from(n).abs() << bits) >> 63) + 1;
                     assert!((0..=most).contains(&excess), "2^{bits} {n} / {d}: {got}, {excess} / d too large");
                     if let Ok(narrow) = i32::try_from(n) {
-                        assert_eq!(Divisor::new(d).narrow_ratio(narrow, bits), got, "2^{bits} {n} / {d}");
+                        assert_eq!(WideDivisor::new(d).narrow_ratio(narrow, bits), got, "2^{bits} {n} / {d}");
                     }
                 }
             }
@@ -295,7 +295,7 @@ mod tests {
     fn scaled_ratios_are_close_from_above() {
         let ends: std::vec::Vec<u64> = (0..42).flat_map(|b| [1 << b, (1 << b) + 1, (1_u64 << b) * 3 - 1]).collect();
         for &d in &ends {
-            let Some(scale) = Divisor::new(d).scale(45).filter(|_| d > 1 << 14) else { continue };
+            let Some(scale) = WideDivisor::new(d).scale(45).filter(|_| d > 1 << 14) else { continue };
             for n in (0..45).flat_map(|b| [1_i64 << b, (1 << b) + 1, (1 << b) * 3 / 2 - 1]).chain([0]) {
                 for n in [n, -n] {
                     // got - 2^bits n / d, times d; of got, 64 bits are known.

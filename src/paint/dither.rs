@@ -2,10 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use crate::{
-    geom::{Facet, Varying},
-    num::cast::{low_u8, unsigned},
-};
+use crate::num::cast::{low_u8, unsigned};
 
 /// Ordered dither in blocks of N x N pixels; N is 2, 4 or 8.
 ///
@@ -20,8 +17,8 @@ use crate::{
 /// ```
 /// and a level at `n + f`, with f from 0 to 1, becomes `n + 1` where `f + (threshold + 1/2) / N^2` is 1 or more.
 ///
-/// Gradients and [`DepthShade`](crate::paint::DepthShade) of triangles use it in the functions that make their colours; for
-/// triangles, [`Here`] tells the pixel.
+/// It is for the functions that make colours. Gradients tell them the pixel; triangles do if [`At`](crate::geom::At) is among their
+/// values.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Gray4;
 /// use embedded_raster::{paint::{Bayer, Linear, Outside}, raster::rectangle, Canvas, Framebuffer, PointFx, Rect};
@@ -33,6 +30,14 @@ use crate::{
 ///     rectangle::fill(Rect::new(0, 0, 8, 2), window, brush)
 /// });
 /// assert_eq!(ram, [0x13, 0x47, 0x8a, 0xce, 0x13, 0x56, 0x9a, 0xde]);
+///
+/// use embedded_raster::geom::At;
+/// let mut ram = [0; 8];
+/// let mut frame = Framebuffer::<Gray4>::new(&mut ram, 4, 4)?;
+/// let corners = [PointFx::px(0, 0), PointFx::px(8, 0), PointFx::px(0, 8)];
+/// let values = [8, 8, 8].map(|level| (level, At::default()));
+/// frame.shade_triangle_fx(corners, values, |(level, At(at))| Gray4::new(Bayer::<4>::shade(level, 15, at)))?;
+/// assert_eq!(ram, [0x01, 0x01, 0x10, 0x10, 0x01, 0x01, 0x10, 0x10]); // 8 of 17: half of the pixels
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 ///
@@ -88,59 +93,5 @@ impl<const N: u32> Bayer<N> {
     #[inline(always)]
     fn offset(at: Point) -> u32 {
         Self::threshold(at) << 1 | 1
-    }
-}
-
-/// What tells the function that makes the colours of a triangle which pixel it is: a [`Varying`] beside others, whose value at a pixel
-/// is that pixel. What the corners have does not matter.
-/// ```
-/// use embedded_graphics_core::pixelcolor::Gray4;
-/// use embedded_raster::{paint::{Bayer, Here}, Canvas, Framebuffer, PointFx};
-/// let mut ram = [0; 8];
-/// let mut frame = Framebuffer::<Gray4>::new(&mut ram, 4, 4)?;
-/// let corners = [PointFx::px(0, 0), PointFx::px(8, 0), PointFx::px(0, 8)];
-/// let values = [8, 8, 8].map(|level| (level, Here::default()));
-/// frame.shade_triangle_fx(corners, values, |(level, here)| Gray4::new(Bayer::<4>::shade(level, 15, here.0)))?;
-/// assert_eq!(ram, [0x01, 0x01, 0x10, 0x10, 0x01, 0x01, 0x10, 0x10]); // 8 of 17: half of the pixels
-/// # Ok::<(), embedded_raster::Error>(())
-/// ```
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub struct Here(pub Point);
-
-impl Varying for Here {
-    /// The first pixel of the box.
-    type Slopes = Point;
-    type Row = i32;
-    type Run = Point;
-
-    #[inline(always)]
-    fn slopes(facet: &Facet, _: [Self; 3]) -> Point {
-        let (x, y) = facet.first();
-        Point::new(x, y)
-    }
-
-    #[inline(always)]
-    fn row(first: &Point, down: u32) -> i32 {
-        first.y.wrapping_add_unsigned(down)
-    }
-
-    #[inline(always)]
-    fn below(_: &Point, y: &mut i32) {
-        *y = y.wrapping_add(1);
-    }
-
-    #[inline(always)]
-    fn run(first: &Point, y: &i32, right: u32) -> Point {
-        Point::new(first.x.wrapping_add_unsigned(right), *y)
-    }
-
-    #[inline(always)]
-    fn value(run: &Point) -> Self {
-        Self(*run)
-    }
-
-    #[inline(always)]
-    fn step(run: &mut Point) {
-        run.x = run.x.wrapping_add(1);
     }
 }

@@ -27,7 +27,7 @@ use crate::{
     geom::{bits, PointFx},
     num::{
         cast::{low_u32, low_u64, low_u8, magnitude, narrow, saturate, signed_wide, unsigned},
-        divisor::Divisor,
+        divisor::WideDivisor,
         root::square_root,
         round::difference,
     },
@@ -67,7 +67,7 @@ pub struct Linear<F> {
     way: (i32, i32),
     /// `2^(1 + s) |way|^2`, up to 2^59, and what it divides by.
     size: u64,
-    divisor: Divisor,
+    divisor: WideDivisor,
     outside: Outside,
     color: F,
 }
@@ -82,7 +82,7 @@ impl<F> Linear<F> {
         let way = (saturate(x >> (shift & 63)), saturate(y >> (shift & 63)));
         let square = |n: i32| magnitude(i64::from(n).wrapping_mul(n.into()));
         let size = square(way.0).wrapping_add(square(way.1)) << (shift.wrapping_add(1) & 63);
-        Self { from, way, size, divisor: Divisor::new(size), outside, color }
+        Self { from, way, size, divisor: WideDivisor::new(size), outside, color }
     }
 
     /// What is divided for a pixel: 510 times the product of the way to its centre with the way to the other end, and half the

@@ -36,7 +36,7 @@ mod traits;
 pub use self::{
     brush::Brush,
     depth::DepthShade,
-    dither::{Bayer, Here},
+    dither::Bayer,
     gradient::{Linear, Outside, Radial},
     shade::{Shade, ShadeSome},
     solid::Solid,

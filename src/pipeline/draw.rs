@@ -6,7 +6,7 @@ use super::vertex::{Facing, Vertex};
 use crate::{
     canvas::Canvas,
     geom::{At, Facet, Plane, PointFx, Varying},
-    num::{cast::magnitude, divisor::Divisor},
+    num::{cast::magnitude, divisor::WideDivisor},
     paint::{DepthShade, ShadeSome},
     raster::triangle,
     span::Rect,
@@ -133,7 +133,7 @@ macro_rules! depth_of {
                 let (z, w) = (i64::from(z.clamp(0, w.max(0))), i64::from(w.max(1)));
                 // Below 2^63: 2^31 times 2^32.
                 let n = z.wrapping_mul(<$number>::MAX.into()).wrapping_add(w >> 1);
-                let (q, _) = Divisor::new(magnitude(w)).quotient(n);
+                let (q, _) = WideDivisor::new(magnitude(w)).quotient(n);
                 <$number>::try_from(q).unwrap_or(<$number>::MAX)
             }
         }

@@ -5,7 +5,7 @@ use crate::{
     geom::{space::Vec4, PointFx},
     num::{
         cast::{magnitude, saturate},
-        divisor::Divisor,
+        divisor::WideDivisor,
     },
 };
 
@@ -50,7 +50,7 @@ impl Screen {
         if w <= 0 {
             return None;
         }
-        let divisor = Divisor::new(magnitude(w));
+        let divisor = WideDivisor::new(magnitude(w));
         let part = |n: i64, size: u16| {
             let half = i64::from(size).wrapping_mul(128);
             let (q, _) = divisor.quotient(n.wrapping_mul(half).wrapping_add(w >> 1));

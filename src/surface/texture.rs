@@ -7,7 +7,7 @@
 //! - **Bilinear.** The mean of the four texels whose centres are around the place, each weighted by how near it is in u, times how
 //!   near it is in v. Each channel is the nearest level to the exact mean, halves upwards. At the centre of a texel that is its
 //!   own colour.
-//! - **Outside** of the picture each axis has a rule, an [`Outside`]: [`Clamp`], [`Repeat`], [`Mirror`] or [`Tile`].
+//! - **Outside** of the picture each axis has a rule, an [`AddressMode`]: [`Clamp`], [`Repeat`], [`Mirror`] or [`Tile`].
 //!
 //! Sources: E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", 1974 (textures); P. Heckbert, "Survey of
 //! Texture Mapping", IEEE Computer Graphics and Applications 6, 1986.
@@ -48,31 +48,31 @@ use crate::{
 /// assert_eq!(ram, [10, 10, 20, 0, 10, 10, 0, 0, 30, 0, 0, 0, 0, 0, 0, 0]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
-pub struct Texture<'a, L, U: Outside, V: Outside> {
+pub struct Texture<'a, L, U: AddressMode, V: AddressMode> {
     picture: Frame<&'a [u8], L>,
     u: U::Axis,
     v: V::Axis,
 }
 
-impl<L, U: Outside, V: Outside> Copy for Texture<'_, L, U, V> {}
+impl<L, U: AddressMode, V: AddressMode> Copy for Texture<'_, L, U, V> {}
 
-impl<L, U: Outside, V: Outside> Clone for Texture<'_, L, U, V> {
+impl<L, U: AddressMode, V: AddressMode> Clone for Texture<'_, L, U, V> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
 /// Prints the sizes, not the texels.
-impl<L, U: Outside, V: Outside> fmt::Debug for Texture<'_, L, U, V> {
+impl<L, U: AddressMode, V: AddressMode> fmt::Debug for Texture<'_, L, U, V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Texture").field("picture", &self.picture).field("u", &self.u).field("v", &self.v).finish()
     }
 }
 
-impl<'a, L: Layout, U: Outside, V: Outside> Texture<'a, L, U, V> {
+impl<'a, L: Layout, U: AddressMode, V: AddressMode> Texture<'a, L, U, V> {
     /// A picture, and what lies outside of it: to the left and right, and above and below.
     ///
-    /// `None` if it has no texels, or if it is none that can be a [`Tile`].
+    /// `None` if it has no texels, or if an axis is a [`Tile`] and the picture cannot be one.
     pub fn new<M: AsRef<[u8]>>(picture: &'a Frame<M, L>, _: (U, V)) -> Option<Self> {
         let picture = picture.as_bitmap();
         let window = picture.window();
@@ -191,8 +191,8 @@ fn mean<C: Channels>(colors: [C; 4], (right, down): (u32, u32)) -> C {
     })
 }
 
-/// What is there where a picture has ended. A type, so that a program has the code of what it uses only.
-pub trait Outside: Copy {
+/// What is there where a picture has ended. It is a type, so that a program links only the code that it uses.
+pub trait AddressMode: Copy {
     /// What is known of the columns or the rows of a picture.
     type Axis: Copy + fmt::Debug;
 
@@ -228,7 +228,7 @@ pub struct Ends {
     last: i32,
 }
 
-impl Outside for Clamp {
+impl AddressMode for Clamp {
     type Axis = Ends;
 
     #[inline]
@@ -242,7 +242,7 @@ impl Outside for Clamp {
     }
 }
 
-impl Outside for Tile {
+impl AddressMode for Tile {
     type Axis = u32;
 
     #[inline]
@@ -292,7 +292,7 @@ impl Period {
     }
 }
 
-impl Outside for Repeat {
+impl AddressMode for Repeat {
     type Axis = Period;
 
     #[inline]
@@ -306,7 +306,7 @@ impl Outside for Repeat {
     }
 }
 
-impl Outside for Mirror {
+impl AddressMode for Mirror {
     type Axis = Period;
 
     #[inline]

@@ -5,8 +5,8 @@ use embedded_graphics_core::{
     pixelcolor::{Gray8, GrayColor},
 };
 use embedded_raster::{
-    geom::{Facet, Plane},
-    paint::{Bayer, Here, Linear, Outside, Radial},
+    geom::{At, Facet, Plane},
+    paint::{Bayer, Linear, Outside, Radial},
     raster::{ellipse, rectangle},
     Canvas, ClippedSpan, Ellipse, Framebuffer, Paint, PointFx, Rect, Surface,
 };
@@ -226,8 +226,8 @@ fn each_shade_has_its_share_of_a_block() {
 #[test]
 fn a_triangle_knows_its_pixels() {
     let facet = Facet::new([(-900, 33), (5_000, -700), (900, 8_000)].map(place)).unwrap();
-    let plane = Plane::new(&facet, [Here::default(); 3]);
+    let plane = Plane::new(&facet, [At::default(); 3]);
     for (x, y) in (-1..20).flat_map(|x| (-1..30).map(move |y| (x, y))) {
-        assert_eq!(plane.at(x, y), Here(Point::new(x, y)));
+        assert_eq!(plane.at(x, y), At(Point::new(x, y)));
     }
 }

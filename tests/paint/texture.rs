@@ -8,7 +8,7 @@ use embedded_raster::{
     geom::Fast,
     pixel::{Be, Channels, Lsb0, Rgb444},
     surface::{
-        texture::{Clamp, Mirror, Outside, Repeat, Texture, Tile},
+        texture::{AddressMode, Clamp, Mirror, Repeat, Texture, Tile},
         Grid, Packed12, Pages, Planes, Rows,
     },
     Canvas, Frame, Framebuffer, Index2, Index4, Index8, Layout, Palette, PixelFormat, PointFx, Rect,
@@ -104,7 +104,7 @@ trait Sample<L: Layout>: core::fmt::Debug {
         L::Color: Into<u8>;
 }
 
-impl<L: Layout, U: Outside, V: Outside> Sample<L> for Texture<'_, L, U, V> {
+impl<L: Layout, U: AddressMode, V: AddressMode> Sample<L> for Texture<'_, L, U, V> {
     fn nearest(&self, at: (i32, i32)) -> L::Color {
         self.nearest(fixed(at).0, fixed(at).1)
     }

@@ -9,7 +9,7 @@ use anyhow::{anyhow, ensure, Context, Result};
 use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
 use crate::steps::step;
-use crate::{proofs, readme, scene, symbols, Chip};
+use crate::{cube, proofs, readme, scene, symbols, Chip};
 
 /// A variable that `build.rs` reads, and its value.
 type Switch = (&'static str, &'static str);
@@ -47,7 +47,9 @@ pub fn full() -> Result<()> {
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
     for opt in Opt::ALL {
         step(&format!("scene: every chip, opt-level {}", opt.name()), || {
-            scene::check_all(&Chip::ALL.map(|chip| Build::new(chip, opt)))
+            let builds = Chip::ALL.map(|chip| Build::new(chip, opt));
+            scene::check_all(&builds)?;
+            cube::check_all(&builds)
         })?;
     }
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;

@@ -7,7 +7,7 @@ use anyhow::{ensure, Context, Result};
 use crate::firmware::{self, Build, Program};
 use crate::scene::{self, Frame};
 use crate::size::Sections;
-use crate::{emulator, frames};
+use crate::{emulator, frames, heading};
 
 const PACKAGE: &str = "cube";
 /// The programs, the bytes of RAM of their chips, and what the table calls them. `firmware/cube/build.rs` has the same bytes: for
@@ -27,9 +27,16 @@ struct Taken {
     summed: u64,
 }
 
-/// Draws the cube at all moments in all ways on a chip, and prints what they take. Fails where a frame is not that of this computer,
-/// or where static RAM and the deepest stack together are more than there is.
-pub fn check(build: Build) -> Result<()> {
+/// Draws the cube at all moments in all ways, in some builds for chips, and prints what they take. Fails where a frame is not that of
+/// this computer, or where static RAM and the deepest stack together are more than there is.
+pub fn check_all(builds: &[Build]) -> Result<()> {
+    builds.iter().try_for_each(|build| {
+        println!("{}\n", heading(*build)?);
+        check(*build)
+    })
+}
+
+fn check(build: Build) -> Result<()> {
     let host = scene::on_host("cube")?;
     let with_frames = firmware::build_with_frames(PACKAGE, &[build.chip], build.opt)?;
     let with_frames = with_frames.first().context("one chip has one folder")?;

@@ -141,16 +141,14 @@ fn print_sizes(mut args: Arguments) -> Result<()> {
 fn print_scene(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
-    scene::check_all(&builds)
+    scene::check_all(&builds)?;
+    cube::check_all(&builds)
 }
 
 fn print_cube(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
-    builds.into_iter().try_for_each(|build| {
-        println!("{}\n", heading(build)?);
-        cube::check(build)
-    })
+    cube::check_all(&builds)
 }
 
 fn budget(mut args: Arguments) -> Result<()> {

@@ -8,7 +8,7 @@ use anyhow::{bail, ensure, Context, Error, Result};
 
 use crate::firmware::{self, Build, Program};
 use crate::size::Sections;
-use crate::{cube, emulator, heading, run, table, Chip};
+use crate::{emulator, heading, run, table, Chip};
 
 /// The programs that print frames: all of them, and the map with its memory static.
 const SCENE: Program<'_> = Program { package: "bench", bin: "scene" };
@@ -65,7 +65,6 @@ pub fn check_all(builds: &[Build]) -> Result<()> {
         compare(&host, chip, &frames)?;
         let ram = map(build)?;
         println!("The map alone: {} bytes of static RAM, {} of stack.\n", ram.statics, ram.stack);
-        cube::check(build)?;
     }
     println!("All frames are those of this computer.");
     Ok(())

@@ -4,15 +4,14 @@
 //! the colour in the mean: ordered dither. No pixel knows of another one, so bands show what the whole shows.
 //! ```text
 //!    0 32  8 40      The number of a pixel says which share of the colour has to be there before this pixel is brighter:
-//!   48 16 56 24      the first rows of B. E. Bayer's matrix, which is 8 pixels wide. It lies side by side all over the
-//!   12 44  4 36      picture.
+//!   48 16 56 24      the first rows of `Bayer::<8>`.
+//!   12 44  4 36
 //!   60 28 52 20
 //! ```
 //! Greys have an even scale: one comparison is enough. For a palette, sixteen colours of it are found that are right in the mean; they
 //! are put in order by their brightness, and the number of the pixel takes one.
 //!
-//! Sources: B. E. Bayer, "An optimum method for two-level rendition of continuous-tone pictures", ICC 1973; T. Knoll, "Pattern
-//! dithering", US patent 6,606,166, 1999 (expired).
+//! Source: T. Knoll, "Pattern dithering", US patent 6,606,166, 1999 (expired).
 
 use std::{cell::RefCell, collections::HashMap};
 
@@ -20,7 +19,9 @@ use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor},
 };
-use embedded_raster::{pixel::Xrgb8888, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat};
+use embedded_raster::{
+    paint::Bayer, pixel::Xrgb8888, Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat,
+};
 
 use crate::picture::Picture;
 
@@ -41,7 +42,7 @@ impl Inks {
     /// The index for a pixel.
     fn index(&self, color: Rgb888, at: Point) -> u8 {
         let pattern = *self.known.borrow_mut().entry(channels(color)).or_insert_with(|| self.pattern(color));
-        pattern[usize::from(bayer(at) >> 2)]
+        pattern[(Bayer::<8>::threshold(at) >> 2) as usize]
     }
 
     /// Sixteen indices that are right in the mean.
@@ -76,20 +77,10 @@ fn luma(c: Rgb888) -> u32 {
     (77 * u32::from(c.r()) + 150 * u32::from(c.g()) + 29 * u32::from(c.b()) + 128) >> 8
 }
 
-/// The number of a pixel in Bayer's matrix: 0 to 63.
-fn bayer(at: Point) -> u8 {
-    // The lowest bits of the coordinates count most.
-    let number = (0..3).fold(0, |number, bit| {
-        let (x, y) = (at.x >> bit & 1, at.y >> bit & 1);
-        number << 2 | (x ^ y) << 1 | y
-    });
-    u8::try_from(number).unwrap_or_default()
-}
-
 /// The grey of a pixel: one of `steps + 1`.
 fn grey(color: Rgb888, steps: u32, at: Point) -> u8 {
     // The middle between two numbers of the matrix: 0 is black everywhere, 255 white.
-    let level = (luma(color) * steps * 128 / 255 + 127 - (2 * u32::from(bayer(at)) + 1) + 1) / 128;
+    let level = (luma(color) * steps * 128 / 255 + 127 - (2 * Bayer::<8>::threshold(at) + 1) + 1) / 128;
     u8::try_from(level.min(steps)).unwrap_or(u8::MAX)
 }
 
@@ -176,18 +167,6 @@ mod tests {
 
     fn square() -> impl Iterator<Item = Point> {
         (0..8).flat_map(|y| (-8..0).map(move |x| Point::new(x, y)))
-    }
-
-    #[test]
-    fn the_matrix_has_each_number_once() {
-        let mut numbers: Vec<u8> = square().map(bayer).collect();
-        assert_eq!(
-            [(0, 0), (1, 0), (2, 0), (0, 1), (3, 3)].map(|at| bayer(at.into())),
-            [0, 32, 8, 48, 20],
-            "its start"
-        );
-        numbers.sort_unstable();
-        assert!(numbers.into_iter().eq(0..64), "a permutation");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use board::counter::{count, Count};
 use board::{crc32, println, stack, CHIP};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::geom::{Fast, Perspective, Runs, Varying};
-use embedded_raster::surface::texture::{Clamp, Mirror, Outside, Repeat, Tile};
+use embedded_raster::surface::texture::{Clamp, Mirror, AddressMode, Repeat, Tile};
 use embedded_raster::surface::{Counter, Rows, Texture};
 use embedded_raster::{Bitmap, Canvas, Framebuffer, PixelFormat, PointFx, Rect};
 use fixed::types::I16F16;
@@ -66,7 +66,7 @@ fn main() {
     }
 }
 
-fn nearest<U: Outside, V: Outside>(
+fn nearest<U: AddressMode, V: AddressMode>(
     name: &str,
     kind: &str,
     triangles: &[Corners],
@@ -77,7 +77,7 @@ fn nearest<U: Outside, V: Outside>(
     measure(name, kind, "fast", triangles, memory, |u, v, _| Fast((u, v)), color);
 }
 
-fn runs<const N: u32, U: Outside, V: Outside>(
+fn runs<const N: u32, U: AddressMode, V: AddressMode>(
     name: &str,
     mode: &str,
     triangles: &[Corners],

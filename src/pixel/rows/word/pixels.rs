@@ -166,8 +166,8 @@ pub(in crate::pixel::rows) fn write<F: PixelFormat>(run: &mut [u8], mut next: im
 
 /// The same for pixels of `N` bytes.
 ///
-/// The inner loop ends at a pixel that is not given. So what `next` asks only after such a pixel, as a fused iterator asks
-/// whether it has ended, it does not ask at every pixel.
+/// The inner loop ends at a pixel that `next` leaves out. An iterator that looks whether it has ended then looks only there, not at
+/// every pixel.
 #[inline(always)]
 fn write_each<const N: usize>(run: &mut [u8], mut next: impl FnMut() -> Option<[u8; N]>)
 where
