@@ -60,9 +60,9 @@ fn run() -> Result<(), Box<dyn Error>> {
             let plural = if options.bits == 1 { "" } else { "s" };
             println!("{width} x {height} at {} bit{plural} per pixel", options.bits);
             let [colors, depths, vertices] = drawing.memory;
-            println!("RAM: {colors} bytes of colours, {depths} of depths, {vertices} of vertices");
+            println!("RAM in bytes: {colors} of colours, {depths} of depths, {vertices} of vertices");
         }
-        println!("{path}: {} fragments painted", drawing.fragments);
+        println!("{path}: fragments painted: {}", drawing.fragments);
     }
     Ok(())
 }

@@ -154,7 +154,7 @@ fn bodies_of_any_size() {
 #[test]
 fn what_is_wrong_with_a_file() {
     let error = |name| obj(name).expect_err("it is wrong").to_string();
-    assert_eq!(error("bad-corner.obj"), "line 7: `4` is no vertex: there are 3 so far");
+    assert_eq!(error("bad-corner.obj"), "line 7: `4` is no vertex: the file has 3 so far");
     assert_eq!(error("bad-number.obj"), "line 4: `1,5` is not a number");
     for (text, expected) in [
         ("", "line 1: the file ends without a face"),
@@ -167,16 +167,16 @@ fn what_is_wrong_with_a_file() {
         ("vt 0 x\n", "line 1: `x` is not a number"),
         ("v 0 0 0\nf 1 1\n", "line 2: a face of 2 corners: it has three or more"),
         ("v 0 0 0\nf\n", "line 2: a face of 0 corners: it has three or more"),
-        ("v 0 0 0\nf 1 1 0\n", "line 2: `0` is no vertex: there are 1 so far"),
-        ("v 0 0 0\nf 1 1 -2\n", "line 2: `-2` is no vertex: there are 1 so far"),
-        ("v 0 0 0\nf 1 1 -9223372036854775808\n", "line 2: `-9223372036854775808` is no vertex: there are 1 so far"),
+        ("v 0 0 0\nf 1 1 0\n", "line 2: `0` is no vertex: the file has 1 so far"),
+        ("v 0 0 0\nf 1 1 -2\n", "line 2: `-2` is no vertex: the file has 1 so far"),
+        ("v 0 0 0\nf 1 1 -9223372036854775808\n", "line 2: `-9223372036854775808` is no vertex: the file has 1 so far"),
         ("v 0 0 0\nf 1 1 1.5\n", "line 2: `1.5` is no number of a vertex"),
-        ("v 0 0 0\nf 1/1 1 1\n", "line 2: `1` is no place on the texture: there are 0 so far"),
-        ("v 0 0 0\nf 1//7 1 1\n", "line 2: `7` is no normal: there are 0 so far"),
+        ("v 0 0 0\nf 1/1 1 1\n", "line 2: `1` is no place on the texture: the file has 0 so far"),
+        ("v 0 0 0\nf 1//7 1 1\n", "line 2: `7` is no normal: the file has 0 so far"),
         ("v 0 0 0\nf 1/ 1 1\n", "line 2: `1/` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
         ("v 0 0 0\nf 1/1/ 1 1\n", "line 2: `1/1/` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
         ("v 0 0 0\nf 1/1/1/1 1 1\n", "line 2: `1/1/1/1` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
-        ("v 0 0 0\nf \\\n1 \\\n1 7\n", "line 2: `7` is no vertex: there are 1 so far"),
+        ("v 0 0 0\nf \\\n1 \\\n1 7\n", "line 2: `7` is no vertex: the file has 1 so far"),
         ("v 0 0 0\nf 1 1 \\", "line 2: a face of 2 corners: it has three or more"),
         (
             "\u{7f}ELF\u{1}0123456789012345678901234567\n",

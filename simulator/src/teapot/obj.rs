@@ -96,7 +96,7 @@ impl Mesh {
     /// let mesh = Mesh::parse_obj(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n")?;
     /// assert_eq!(mesh.triangles.len(), 2);
     /// let error = Mesh::parse_obj(b"v 0 0 0\nv 1 0 0\nf 1 2 3\n").unwrap_err();
-    /// assert_eq!(error.to_string(), "line 3: `3` is no vertex: there are 2 so far");
+    /// assert_eq!(error.to_string(), "line 3: `3` is no vertex: the file has 2 so far");
     /// # Ok::<(), embedded_raster_simulator::teapot::ParseError>(())
     /// ```
     pub fn parse_obj(text: &[u8]) -> Result<Self, ParseError> {
@@ -268,7 +268,7 @@ fn entry(word: &str, len: usize, what: &str) -> Result<usize, String> {
     let from_start = usize::try_from(number).ok().and_then(|number| number.checked_sub(1));
     let from_end = usize::try_from(number.unsigned_abs()).ok().and_then(|number| len.checked_sub(number));
     let at = if number < 0 { from_end } else { from_start };
-    at.filter(|&at| at < len).ok_or_else(|| format!("{} is no {what}: there are {len} so far", quoted(word)))
+    at.filter(|&at| at < len).ok_or_else(|| format!("{} is no {what}: the file has {len} so far", quoted(word)))
 }
 
 /// The first numbers of a line.
