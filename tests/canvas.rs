@@ -5,13 +5,13 @@
 
 use embedded_graphics::{
     mono_font::{ascii::FONT_6X10, MonoTextStyle},
-    pixelcolor::{Gray8, Rgb565},
+    pixelcolor::{Gray8, Rgb565, Rgb888},
     prelude::*,
     primitives::Rectangle,
     text::Text,
 };
 use embedded_raster::{
-    eg,
+    buffer_bytes, eg,
     pixel::Rgb444,
     raster::{
         ellipse,
@@ -213,4 +213,45 @@ fn pixels_and_boxes_are_taken_in_every_form() {
     assert_eq!(unseen, Vec::<u8>::new(), "colours of the shapes");
     assert!(plain == scene(|x, y| (x, y), Rectangle::from), "columns and rows, and embedded-graphics' boxes");
     assert!(plain == scene(|x, y| [x, y], |area| area), "arrays");
+}
+
+/// [`Readable::fill_corridor`] word for word: what a view does not show is not open, whatever lies there in memory.
+fn check_corridors<F: PixelFormat>(seed: u64) -> usize
+where
+    F::Color: PartialEq,
+{
+    let mut rng = Rng::new(seed);
+    let [open, wall, paint] = [1, 0, u32::MAX >> (32 - F::BITS)].map(F::unpack);
+    let mut taken = 0;
+    for _ in 0..4_000 {
+        let (width, height) = (rng.int(1, 7) as u16, rng.int(1, 9) as u16);
+        let density = rng.int(1, 5) as u64;
+        let mut memory = vec![0; buffer_bytes::<F>(width, height)];
+        let mut frame = Framebuffer::<F>::new(&mut memory, width, height).expect("the right size");
+        for (x, y) in (0..height.into()).flat_map(|y| (0..width.into()).map(move |x| (x, y))) {
+            frame.set(Point::new(x, y), if rng.one_in(density) { open } else { wall });
+        }
+        let (x, y) = (rng.int(0, 2), rng.int(0, 2));
+        let mut view = frame.clipped(Rect::new(x, y, x + rng.int(1, 6), y + rng.int(1, 8)));
+        let window = view.window();
+        let at = Point::new(rng.int(window.x0 - 1, window.x1), rng.int(window.y0 - 1, window.y1));
+        let down = rng.one_in(2);
+        let is_open = |view: &Framebuffer<F>, x, y| view.get(Point::new(x, y)) == Some(open);
+        let mut end = at.y;
+        while is_open(&view, at.x, end) && !is_open(&view, at.x - 1, end) && !is_open(&view, at.x + 1, end) {
+            end += if down { 1 } else { -1 };
+        }
+        let Some(found) = view.fill_corridor(at, down, paint, |color| color == open) else { continue };
+        assert_eq!(found, end, "from {at:?} in {window:?}, down: {down}");
+        let painted = if down { at.y..end } else { end + 1..at.y + 1 };
+        assert!(painted.into_iter().all(|y| view.get(Point::new(at.x, y)) == Some(paint)), "{at:?} to row {end}");
+        taken += 1;
+    }
+    taken
+}
+
+#[test]
+fn corridors_end_where_the_rule_says() {
+    let taken = [check_corridors::<Gray8>(960), check_corridors::<Rgb565>(961), check_corridors::<Rgb888>(962)];
+    assert!(taken.iter().all(|&n| n > 100), "the shortcut was taken {taken:?} times");
 }
