@@ -1,6 +1,6 @@
 //! Cycles of a section of a program, from what the emulator sees of it.
 
-use crate::decode::Instruction;
+use crate::instruction::Instruction;
 use crate::model::{unaligned, Core, Model, Outcome};
 
 /// An instruction at its place.
@@ -8,8 +8,8 @@ use crate::model::{unaligned, Core, Model, Outcome};
 pub struct Step {
     /// Where it is.
     pub address: u64,
-    /// Where the next one is, unless it jumps.
-    pub next: u64,
+    /// How many bytes it has.
+    pub size: u8,
     /// What it is.
     pub instruction: Instruction,
 }
@@ -38,7 +38,7 @@ impl Counter {
     /// An instruction starts: the one before has come to its end.
     pub fn start(&mut self, step: Step) {
         if let Some(section) = &mut self.section {
-            section.end(step.address);
+            section.end(step);
             section.current = Some((step, Outcome::default()));
         }
     }
@@ -51,22 +51,24 @@ impl Counter {
         }
     }
 
-    /// A section begins before the instruction at this address, or ends there: then it returns its cycles.
-    pub fn mark(&mut self, address: u64) -> Option<u64> {
+    /// A section begins before this instruction, or ends there: then it returns its cycles.
+    pub fn mark(&mut self, step: Step) -> Option<u64> {
         let Some(mut section) = self.section.take() else {
             self.section = Some(Section { model: Model::new(self.core), cycles: 0, current: None });
             return None;
         };
-        section.end(address);
+        section.end(step);
         Some(section.cycles)
     }
 }
 
 impl Section {
-    /// The current instruction ends, and one at this address comes next.
-    fn end(&mut self, next: u64) {
+    /// The current instruction ends, and this one comes next.
+    fn end(&mut self, next: Step) {
         if let Some((step, outcome)) = self.current.take() {
-            let outcome = Outcome { taken: next != step.next, ..outcome };
+            let taken = next.address != step.address + u64::from(step.size);
+            let (address, next, next_size) = (step.address, next.address, next.size);
+            let outcome = Outcome { address, next, next_size, taken, ..outcome };
             self.cycles += u64::from(self.model.cycles(step.instruction, outcome));
         }
     }
@@ -75,19 +77,21 @@ impl Section {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::decode::decode;
+    use crate::thumb::decode;
 
     /// Runs instructions of 16 bits at these halfwords between two marks.
     fn section(core: Core, codes: &[u16], places: &[u16]) -> Option<u64> {
         let mut counter = Counter::new(core);
-        assert_eq!(counter.mark(0), None, "it begins");
+        let step = |place: u16, code| Step { address: 2 * u64::from(place), size: 2, instruction: decode(code, 0) };
+        assert_eq!(counter.mark(step(0, NOP)), None, "it begins");
         for &place in places {
-            let address = 2 * u64::from(place);
-            counter.start(Step { address, next: address + 2, instruction: decode(codes[usize::from(place)], 0) });
+            counter.start(step(place, codes[usize::from(place)]));
             counter.access(0x2000_0000, 2);
         }
-        counter.mark(2 * codes.len() as u64)
+        counter.mark(step(u16::try_from(codes.len()).expect("few"), NOP))
     }
+
+    const NOP: u16 = 0xBF00;
 
     /// Fills four words: str r1, [r2]; adds r2, #4; subs r0, #1; bne.
     const FILL: [u16; 4] = [0x6011, 0x3204, 0x3801, 0xD1FB];
@@ -102,23 +106,24 @@ mod tests {
     #[test]
     fn nothing_counts_outside() {
         let mut counter = Counter::new(Core::M4);
-        let nop = Step { address: 0, next: 2, instruction: decode(0xBF00, 0) };
-        counter.start(nop);
+        let nop = |address| Step { address, size: 2, instruction: decode(NOP, 0) };
+        counter.start(nop(0));
         counter.access(0, 2);
-        counter.mark(0);
-        assert_eq!(counter.mark(0), Some(0), "an empty section");
-        counter.start(nop);
-        counter.mark(0);
-        counter.start(nop);
-        assert_eq!(counter.mark(2), Some(1), "the second section starts anew");
+        counter.mark(nop(0));
+        assert_eq!(counter.mark(nop(0)), Some(0), "an empty section");
+        counter.start(nop(0));
+        counter.mark(nop(0));
+        counter.start(nop(0));
+        assert_eq!(counter.mark(nop(2)), Some(1), "the second section starts anew");
     }
 
     #[test]
     fn addresses_matter() {
         let mut counter = Counter::new(Core::M4);
-        counter.mark(0);
-        counter.start(Step { address: 0, next: 2, instruction: decode(0x6011, 0) });
+        let step = |address, code| Step { address, size: 2, instruction: decode(code, 0) };
+        counter.mark(step(0, NOP));
+        counter.start(step(0, 0x6011));
         counter.access(0x2000_0001, 2);
-        assert_eq!(counter.mark(2), Some(3), "a word at an odd byte");
+        assert_eq!(counter.mark(step(2, NOP)), Some(3), "a word at an odd byte");
     }
 }

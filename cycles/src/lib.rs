@@ -1,18 +1,21 @@
 //! Modelled cycles: a plugin of QEMU that adds up what the vendors' tables say of each instruction.
 //!
 //! ```text
-//!  decode     bytes of an instruction ---> its kind, what it writes, where its address comes from
+//!  thumb, riscv     bytes of an instruction ---> its kind, what it writes, what it needs early
 //!    |
-//!  model      ... and the one before, and what came of it ---> cycles
+//!  model, hazard3   ... and the one before, and what came of it ---> cycles
 //!    |
-//!  counter    ... of a section of a program
+//!  counter          ... of a section of a program
 //!    |
-//!  plugin     the emulator's calls: an instruction starts, memory is accessed
+//!  plugin           the emulator's calls: an instruction starts, memory is accessed
 //! ```
 
 pub mod counter;
-pub mod decode;
+pub mod hazard3;
+pub mod instruction;
 pub mod model;
+pub mod riscv;
+pub mod thumb;
 // A test has no emulator to be linked with.
 #[cfg(not(test))]
 mod plugin;

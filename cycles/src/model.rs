@@ -1,4 +1,4 @@
-//! What an instruction costs, given the one before it: tables for memory without wait states.
+//! What an instruction of Thumb code costs, given the one before it: tables for memory without wait states.
 //!
 //! | | Cortex-M4 | Cortex-M0+ |
 //! |---|---|---|
@@ -24,6 +24,8 @@
 //! - A word at an odd halfword, or a halfword at an odd byte, costs 1 more, a word at an odd byte 2.
 //! - An instruction of an `it` block that is not executed costs 1.
 //!
+//! RISC-V is in [`hazard3`](crate::hazard3).
+//!
 //! What cannot be known is taken as follows. A division takes 2 to 12, fewer when its quotient is small; registers are not seen,
 //! so it takes the most. Filling the pipeline takes 1 to 3; it takes 2, but `ldr pc` and the jump through a table, which are said
 //! to block, take 3. An `it` that is folded onto another instruction would cost nothing; it costs 1. The multiplier of
@@ -32,7 +34,9 @@
 //! Sources: Cortex-M4 Technical Reference Manual (100166), 3.3.1 and 3.3.2; Cortex-M0+ Technical Reference Manual (DDI 0484C),
 //! 3.3.
 
-use crate::decode::{Instruction, Kind, Registers, PC};
+use crate::hazard3::Hazard3;
+use crate::instruction::{Instruction, Kind, Registers, PC};
+use crate::{riscv, thumb};
 
 /// Whose table.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -41,11 +45,29 @@ pub enum Core {
     M0,
     /// Cortex-M4.
     M4,
+    /// Hazard3, the RISC-V core of RP2350.
+    Hazard3,
+}
+
+impl Core {
+    /// An instruction that begins with these halfwords, and how many bytes it has.
+    pub const fn decode(self, first: u16, second: u16) -> (Instruction, u8) {
+        match self {
+            Self::M0 | Self::M4 => (thumb::decode(first, second), thumb::size(first)),
+            Self::Hazard3 => (riscv::decode(first, second), riscv::size(first)),
+        }
+    }
 }
 
 /// What is known of an instruction when the next one starts.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
+    /// Where it is.
+    pub address: u64,
+    /// Where the next one is.
+    pub next: u64,
+    /// How many bytes that one has.
+    pub next_size: u8,
     /// The next instruction is not the one that follows it in memory.
     pub taken: bool,
     /// It went to memory. What should have, and did not, was in an `it` block.
@@ -81,6 +103,7 @@ enum Before {
 pub struct Model {
     core: Core,
     before: Before,
+    hazard3: Hazard3,
 }
 
 /// Cycles that fill the pipeline after a jump of Cortex-M4.
@@ -93,7 +116,7 @@ const DIVISION: u32 = 12;
 impl Model {
     /// For this core.
     pub const fn new(core: Core) -> Self {
-        Self { core, before: Before::Other }
+        Self { core, before: Before::Other, hazard3: Hazard3::new() }
     }
 
     /// Cycles of an instruction that has come to its end.
@@ -101,23 +124,24 @@ impl Model {
         match self.core {
             Core::M0 => m0(instruction, outcome),
             Core::M4 => self.m4(instruction, outcome),
+            Core::Hazard3 => self.hazard3.cycles(instruction, outcome),
         }
     }
 
     fn m4(&mut self, instruction: Instruction, outcome: Outcome) -> u32 {
-        let Instruction { kind, writes, address } = instruction;
+        let Instruction { kind, writes, needs } = instruction;
         let memory = matches!(kind, Kind::Load | Kind::Store { .. } | Kind::Double | Kind::Multiple { .. });
         if memory && !outcome.accessed {
             self.before = Before::Other;
             return 1;
         }
-        let stall = u32::from(matches!(self.before, Before::Computed(before) if before & address != 0));
-        let after_load = matches!(self.before, Before::Loaded(before) if before & address == 0);
+        let stall = u32::from(matches!(self.before, Before::Computed(before) if before & needs != 0));
+        let after_load = matches!(self.before, Before::Loaded(before) if before & needs == 0);
         let overlaps = u32::from(after_load || self.before == Before::Stored);
         let fill = if outcome.taken { FILL } else { 0 };
         let (cycles, before) = match kind {
             Kind::Data => (1, Before::Computed(writes)),
-            Kind::Divide => (DIVISION, Before::Computed(writes)),
+            Kind::Divide { .. } => (DIVISION, Before::Computed(writes)),
             Kind::System => (2, Before::Computed(writes)),
             Kind::Load if writes & PC != 0 => (2 + BLOCKING_FILL, Before::Other),
             Kind::Load => (2 - overlaps, Before::Loaded(writes)),
@@ -126,7 +150,7 @@ impl Model {
             Kind::Double => (3, Before::Other),
             Kind::Multiple { count } if writes & PC != 0 => (1 + u32::from(count) + FILL, Before::Other),
             Kind::Multiple { count } => (1 + u32::from(count), Before::Other),
-            Kind::Jump | Kind::Link => (1 + fill, Before::Other),
+            Kind::Jump | Kind::Branch | Kind::Link => (1 + fill, Before::Other),
             Kind::Table => (3 + BLOCKING_FILL, Before::Other),
         };
         self.before = before;
@@ -138,19 +162,19 @@ fn m0(instruction: Instruction, outcome: Outcome) -> u32 {
     let taken = u32::from(outcome.taken);
     match instruction.kind {
         // It divides by a function of many instructions.
-        Kind::Data | Kind::Divide => 1,
+        Kind::Data | Kind::Divide { .. } => 1,
         Kind::System | Kind::Link => 3,
         Kind::Load | Kind::Store { .. } | Kind::Double => 2,
         Kind::Multiple { count } if instruction.writes & PC != 0 => 3 + u32::from(count),
         Kind::Multiple { count } => 1 + u32::from(count),
-        Kind::Jump | Kind::Table => 1 + taken,
+        Kind::Jump | Kind::Branch | Kind::Table => 1 + taken,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::decode::decode;
+    use crate::thumb::decode;
 
     /// Cycles of some instructions that follow each other; those above 16 bits are of 32. All go to memory that shall, at
     /// aligned addresses, and the last is a jump that is taken, if it is one.
@@ -160,7 +184,7 @@ mod tests {
         let cycles = |(at, &code): (usize, &u32)| {
             let [first, second] = [code >> 16, code & 0xFFFF].map(|half| u16::try_from(half).expect("16 bits"));
             let instruction = if first == 0 { decode(second, 0) } else { decode(first, second) };
-            model.cycles(instruction, Outcome { taken: at == last, accessed: true, unaligned: 0 })
+            model.cycles(instruction, Outcome { taken: at == last, accessed: true, ..Outcome::default() })
         };
         codes.iter().enumerate().map(cycles).sum()
     }

@@ -3,7 +3,7 @@
 //! ```sh
 //! qemu-system-arm ... -plugin libcycles.so,core=m4,mark=0x1234
 //! ```
-//! `core` is whose table: `m0` or `m4`. `mark` is the address of a function: a section of the program begins when it is called,
+//! `core` is whose table: `m0`, `m4` or `hazard3`. `mark` is the address of a function: a section of the program begins when it is called,
 //! and ends when it is called again. For each section a line is printed, ahead of all that the program prints from then on:
 //! ```text
 //! cycles 1234
@@ -17,7 +17,6 @@ use std::slice;
 use std::sync::Mutex;
 
 use crate::counter::{Counter, Step};
-use crate::decode::{decode, size};
 use crate::model::Core;
 
 /// An opaque thing of the emulator.
@@ -61,13 +60,14 @@ unsafe extern "C" {
 pub(crate) static qemu_plugin_version: c_int = 1;
 
 struct Plugin {
+    core: Core,
     counter: Counter,
     /// Where sections begin and end.
     mark: u64,
 }
 
 /// One processor, so nobody ever waits for it.
-static PLUGIN: Mutex<Plugin> = Mutex::new(Plugin { counter: Counter::new(Core::M4), mark: 0 });
+static PLUGIN: Mutex<Plugin> = Mutex::new(Plugin { core: Core::M4, counter: Counter::new(Core::M4), mark: 0 });
 
 fn with(work: impl FnOnce(&mut Plugin)) {
     // Nothing in here panics while it is locked.
@@ -106,14 +106,16 @@ impl Plugin {
     fn set(&mut self, argument: &str) -> Result<(), String> {
         let wrong = || argument.to_owned();
         match argument.split_once('=').ok_or_else(wrong)? {
-            ("core", "m0") => self.counter = Counter::new(Core::M0),
-            ("core", "m4") => self.counter = Counter::new(Core::M4),
+            ("core", "m0") => self.core = Core::M0,
+            ("core", "m4") => self.core = Core::M4,
+            ("core", "hazard3") => self.core = Core::Hazard3,
             ("mark", mark) => {
                 let digits = mark.strip_prefix("0x").ok_or_else(wrong)?;
                 self.mark = u64::from_str_radix(digits, 16).map_err(|_| wrong())?;
             }
             _ => return Err(wrong()),
         }
+        self.counter = Counter::new(self.core);
         Ok(())
     }
 }
@@ -129,8 +131,10 @@ extern "C" fn translated(_: u64, block: *mut Block) {
             (code, qemu_plugin_insn_vaddr(code), bytes)
         };
         let half = |at: usize| bytes.get(at..at + 2).map_or(0, |half| u16::from_le_bytes([half[0], half[1]]));
-        let next = address + u64::from(size(half(0)));
-        let step = Step { address, next, instruction: decode(half(0), half(2)) };
+        let mut core = Core::M4;
+        with(|plugin| core = plugin.core);
+        let (instruction, size) = core.decode(half(0), half(2));
+        let step = Step { address, size, instruction };
         // It lives as long as the emulator, which may run the block at any time. There are as many as the program has
         // instructions.
         let step: *mut Step = Box::leak(Box::new(step));
@@ -148,7 +152,7 @@ extern "C" fn started(_: c_uint, step: *mut c_void) {
     let step = unsafe { &*step.cast::<Step>() };
     with(|plugin| {
         if step.address == plugin.mark {
-            if let Some(cycles) = plugin.counter.mark(step.address) {
+            if let Some(cycles) = plugin.counter.mark(*step) {
                 let mut out = stdout().lock();
                 // The tool misses the line when it cannot be written.
                 let _ = writeln!(out, "cycles {cycles}").and_then(|()| out.flush());

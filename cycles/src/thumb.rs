@@ -1,68 +1,15 @@
-//! Thumb instructions, as far as their time depends on them: what kind they are, what they write, and which registers their
-//! address comes from.
+//! Thumb instructions: their kind, what they write, and which registers their address comes from.
 //!
 //! Source: `ARMv7-M` Architecture Reference Manual (DDI 0403E), A5.2 (16 bits) and A5.3 (32 bits). `ARMv6-M` is a part of it.
 
-/// A set of registers: bit `n` is `r<n>`.
-pub type Registers = u16;
+use crate::instruction::{Instruction, Kind, Registers, PC};
 
-/// The program counter, as a set of registers.
-pub const PC: Registers = 1 << 15;
 const SP: Registers = 1 << 13;
 
-/// What an instruction does, as far as time is concerned.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Data processing, multiplication, hints.
-    Data,
-    /// `sdiv`, `udiv`.
-    Divide,
-    /// Special registers and barriers.
-    System,
-    /// One register, from memory.
-    Load,
-    /// One register, to memory.
-    Store {
-        /// Its address is the sum of two registers.
-        by_register: bool,
-    },
-    /// `ldrd`, `strd`.
-    Double,
-    /// `ldm`, `stm`, `push`, `pop`, and those of floating point.
-    Multiple {
-        /// Words.
-        count: u8,
-    },
-    /// `b`, `cbz`, `bx`, `blx`, and what writes the program counter. It may be taken or not.
-    Jump,
-    /// `bl`.
-    Link,
-    /// `tbb`, `tbh`.
-    Table,
-}
-
-/// One instruction.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct Instruction {
-    /// What it does.
-    pub kind: Kind,
-    /// What it writes: the result of data processing, or what a load loads. A base that is written back is not among them.
-    pub writes: Registers,
-    /// Where the address of its memory comes from. The program counter is never among them.
-    pub address: Registers,
-}
-
 impl Instruction {
-    const fn new(kind: Kind) -> Self {
-        Self { kind, writes: 0, address: 0 }
-    }
-
-    const fn writing(self, writes: Registers) -> Self {
-        Self { writes, ..self }
-    }
-
+    /// With an address from these registers.
     const fn at(self, address: Registers) -> Self {
-        Self { address: address & !PC, ..self }
+        self.needing(address & !PC)
     }
 
     /// A result of data processing: a jump when it goes to the program counter.
@@ -96,6 +43,11 @@ const fn low(code: u16, bit: u16) -> Registers {
 
 const fn high(code: u16, bit: u16) -> Registers {
     1 << (code >> bit & 15)
+}
+
+/// A list of the lower eight.
+const fn list(code: u16) -> Registers {
+    (code & 0xFF) as Registers
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "at most 16")]
@@ -136,8 +88,8 @@ const fn narrow(code: u16) -> Instruction {
         9 if code & 0x0800 == 0 => Instruction::new(STORE).at(SP),
         9 => Instruction::new(Kind::Load).writing(low(code, 8)).at(SP),
         11 => miscellaneous(code),
-        12 if code & 0x0800 == 0 => Instruction::new(several(code & 0xFF)).at(low(code, 8)),
-        12 => Instruction::new(several(code & 0xFF)).writing(code & 0xFF).at(low(code, 8)),
+        12 if code & 0x0800 == 0 => Instruction::new(several(list(code))).at(low(code, 8)),
+        12 => Instruction::new(several(list(code))).writing(list(code)).at(low(code, 8)),
         // Conditional branches, `svc`, and branches.
         _ => Instruction::new(Kind::Jump),
     }
@@ -148,10 +100,10 @@ const fn miscellaneous(code: u16) -> Instruction {
         0 => Instruction::data(SP),
         1 | 3 | 9 | 11 => Instruction::new(Kind::Jump),
         2 | 10 => Instruction::data(low(code, 0)),
-        4 | 5 => Instruction::new(several(code & 0x1FF)).at(SP),
+        4 | 5 => Instruction::new(several((code & 0x1FF) as Registers)).at(SP),
         12 | 13 => {
             // Bit 8 is the program counter.
-            let registers = code & 0xFF | (code & 0x100) << 7;
+            let registers = list(code) | ((code & 0x100) as Registers) << 7;
             Instruction::new(several(registers)).writing(registers).at(SP)
         }
         // `cps`, `bkpt`, `it` and hints.
@@ -162,8 +114,9 @@ const fn miscellaneous(code: u16) -> Instruction {
 const fn wide(first: u16, second: u16) -> Instruction {
     match (first >> 11 & 3, first >> 9 & 3) {
         (1, 0) if first & 0x40 == 0 => {
-            let registers = if first & 0x10 == 0 { 0 } else { second };
-            Instruction::new(several(second)).writing(registers).at(high(first, 0))
+            let all = second as Registers;
+            let registers = if first & 0x10 == 0 { 0 } else { all };
+            Instruction::new(several(all)).writing(registers).at(high(first, 0))
         }
         (1, 0) => double(first, second),
         // Data processing with a shifted register.
@@ -176,7 +129,7 @@ const fn wide(first: u16, second: u16) -> Instruction {
         // Multiplications; those with two results, and divisions.
         (3, 1) if first & 0xFF80 == 0xFB80 => {
             if second & 0xF0 == 0xF0 {
-                return Instruction::new(Kind::Divide).writing(high(second, 8));
+                return Instruction::new(Kind::Divide { signed: first & 0x20 == 0 }).writing(high(second, 8));
             }
             Instruction::data(high(second, 8) | high(second, 12))
         }
@@ -263,7 +216,7 @@ mod tests {
     /// The kind, what is written, and where the address comes from.
     #[track_caller]
     fn check(first: u16, second: u16, kind: Kind, writes: &[u8], address: &[u8]) {
-        let expected = Instruction { kind, writes: registers(writes), address: registers(address) };
+        let expected = Instruction { kind, writes: registers(writes), needs: registers(address) };
         assert_eq!(decode(first, second), expected, "{first:04x} {second:04x}");
     }
 
@@ -321,8 +274,8 @@ mod tests {
         check(0xFB01, 0x3902, Kind::Data, &[9], &[]); // mla r9, r1, r2, r3
         check(0xFB82, 0x1903, Kind::Data, &[1, 9], &[]); // smull r1, r9, r2, r3
         check(0xFBE3, 0x1204, Kind::Data, &[1, 2], &[]); // umlal r1, r2, r3, r4
-        check(0xFBB1, 0xF9F2, Kind::Divide, &[9], &[]); // udiv r9, r1, r2
-        check(0xFB92, 0xF1F3, Kind::Divide, &[1], &[]); // sdiv r1, r2, r3
+        check(0xFBB1, 0xF9F2, Kind::Divide { signed: false }, &[9], &[]); // udiv r9, r1, r2
+        check(0xFB92, 0xF1F3, Kind::Divide { signed: true }, &[1], &[]); // sdiv r1, r2, r3
         check(0xFAB2, 0xF182, Kind::Data, &[1], &[]); // clz r1, r2
         check(0xF000, 0xF800, Kind::Link, &[], &[]); // bl
         check(0xF000, 0xB800, Kind::Jump, &[], &[]); // b.w

@@ -12,7 +12,7 @@ pub enum Chip {
     M0,
     /// Cortex-M4 with floating point, on the mps2-an386.
     M4,
-    /// RV32IMC, on the RISC-V virt machine.
+    /// RV32IMC, on the RISC-V virt machine; cycles are those of Hazard3, the core of RP2350.
     Riscv,
 }
 
@@ -37,12 +37,12 @@ impl Chip {
         }
     }
 
-    /// What the compiler calls the processor, and whose table the plugin of the emulator adds up, if there is one.
-    pub(crate) fn processor(self) -> (&'static str, Option<&'static str>) {
+    /// What the compiler calls the processor, and whose table the plugin of the emulator adds up.
+    pub(crate) fn processor(self) -> (&'static str, &'static str) {
         match self {
-            Self::M0 => ("cortex-m0plus", Some("m0")),
-            Self::M4 => ("cortex-m4", Some("m4")),
-            Self::Riscv => ("generic-rv32", None),
+            Self::M0 => ("cortex-m0plus", "m0"),
+            Self::M4 => ("cortex-m4", "m4"),
+            Self::Riscv => ("generic-rv32", "hazard3"),
         }
     }
 

@@ -27,17 +27,15 @@ const TOO_NEW: u32 = 9;
 /// What stands for cycles that nobody counted.
 pub(crate) const NONE: &str = "-";
 
-/// The argument of the emulator after `-plugin`; `None` when the program has no sections, the chip has no model, or the emulator
-/// is too new.
+/// The argument of the emulator after `-plugin`; `None` when the program has no sections, or the emulator is too new.
 pub(crate) fn argument(chip: Chip, elf: &Path) -> Result<Option<OsString>> {
-    let (_, Some(core)) = chip.processor() else { return Ok(None) };
     let Some(mark) = mark(elf)? else { return Ok(None) };
     if major_version(chip)? >= TOO_NEW {
         eprintln!("no modelled cycles: QEMU {TOO_NEW} and later has another interface for plugins");
         return Ok(None);
     }
     let mut argument = build()?.into_os_string();
-    argument.push(format!(",core={core},mark={mark:#x}"));
+    argument.push(format!(",core={},mark={mark:#x}", chip.processor().1));
     Ok(Some(argument))
 }
 
