@@ -8,8 +8,9 @@ use anyhow::{anyhow, ensure, Context, Result};
 
 use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
+use crate::proofs::{self, Proofs};
 use crate::steps::step;
-use crate::{cube, proofs, readme, scene, symbols, Chip};
+use crate::{cube, readme, scene, symbols, Chip};
 
 /// A variable that `build.rs` reads, and its value.
 type Switch = (&'static str, &'static str);
@@ -28,20 +29,21 @@ const SWITCHED_CASES: u32 = 20;
 /// All that a change must pass, in some minutes.
 pub fn check() -> Result<()> {
     let start = Instant::now();
-    quick(SWITCHED_TESTS, SWITCHED_CASES, Columns::Usual)?;
+    quick(SWITCHED_TESTS, SWITCHED_CASES, Columns::Usual, Proofs::Some)?;
     passed(start);
     Ok(())
 }
 
-/// [`check`], with all tests in every build, and all proofs and frames on every chip at every opt-level; the budgets of builds for a
-/// processor; the lab.
+/// [`check`], with all tests in every build, the probe with overflow checks and without, and all proofs and frames on every chip at
+/// every opt-level; the budgets of builds for a processor; the lab.
 pub fn full() -> Result<()> {
     let start = Instant::now();
-    quick(&[&[]], 100, Columns::All)?;
+    quick(&[&[]], 100, Columns::All, Proofs::All)?;
     cargo_step(
         "sequences on every layout",
         &["test", "--workspace", "--features", "embedded-raster-twins/all-layouts", "--test", "sequences"],
     )?;
+    step("modelled cycles: every chip", || budget::check_models(&Chip::ALL))?;
     step("cross: every chip", || Chip::ALL.into_iter().try_for_each(proofs::cross))?;
     step("panics: every chip", || Chip::ALL.into_iter().try_for_each(proofs::panics))?;
     step("symbols: every chip and opt-level", || symbols::check_all(&Chip::ALL, &Opt::ALL))?;
@@ -57,11 +59,11 @@ pub fn full() -> Result<()> {
     Ok(())
 }
 
-fn quick(switched_tests: &[&[&str]], switched_cases: u32, columns: Columns) -> Result<()> {
+fn quick(switched_tests: &[&[&str]], switched_cases: u32, columns: Columns, proofs: Proofs) -> Result<()> {
     cargo_step("format", &["fmt", "--all", "--check"])?;
     // Side by side, in folders of their own: much of either is a single crate or a single test, which leaves a core idle.
     thread::scope(|scope| {
-        let firmware = scope.spawn(|| on_chips(columns));
+        let firmware = scope.spawn(|| on_chips(columns, proofs));
         let tests = on_this_computer(switched_tests, switched_cases);
         let firmware = firmware.join().map_err(|_| anyhow!("a step ended badly"))?;
         tests.and(firmware)
@@ -77,7 +79,9 @@ fn on_this_computer(switched_tests: &[&[&str]], switched_cases: u32) -> Result<(
     cargo_step("tests", &["test", "--workspace"])?;
     for switches in switched() {
         for tests in switched_tests {
-            let args = [&["test", "--package", "embedded-raster"], *tests].concat();
+            // Of the whole workspace, although other members have no such tests: then what all depend on has the same features, and is
+            // not compiled anew.
+            let args = [&["test", "--workspace"], *tests].concat();
             let mut cargo = cargo(&args);
             cargo.envs(switches.iter().copied()).env("EMBEDDED_RASTER_CASES", switched_cases.to_string());
             let names: Vec<_> = switches.iter().map(|(variable, value)| format!("{variable}={value}")).collect();
@@ -87,12 +91,12 @@ fn on_this_computer(switched_tests: &[&[&str]], switched_cases: u32) -> Result<(
     Ok(())
 }
 
-fn on_chips(columns: Columns) -> Result<()> {
+fn on_chips(columns: Columns, proofs: Proofs) -> Result<()> {
     // All that the budgets measure at this level too: one call of cargo builds it.
     step("symbols: Cortex-M at opt-level s", || symbols::check_all(&[Chip::M0, Chip::M4], &[Opt::Small]))?;
     step("budget", || budget::check(columns))?;
     step("the firmware in README.md", readme::build_firmware)?;
-    step("probe", proofs::probe)
+    step("probe", || proofs::probe(proofs))
 }
 
 fn passed(start: Instant) {

@@ -5,8 +5,9 @@ use std::process::ExitCode;
 use anyhow::{bail, Result};
 use pico_args::Arguments;
 use xtask::budget::{self, Columns};
+use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
-use xtask::{checks, cube, heading, proofs, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
+use xtask::{checks, cube, heading, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -26,8 +27,7 @@ Checks:
     symbols [--target CHIP]... [--opt 3|s]
         fail when a firmware in size/ links what it does not use, or floats, at both opt-levels unless told
 
-The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M4 and Cortex-M0+: see cycles/src/model.rs.
-On RISC-V there are instructions only.
+The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M4, Cortex-M0+ and Hazard3 (RISC-V): see cycles/.
 
     run <bin> [--package bench] [--target CHIP]... [--opt 3|s] [--cpu]
         build a program, run it and print what it prints
@@ -84,7 +84,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("tour") => alone(args, readme::draw_tour),
         Some("check") => alone(args, checks::check),
         Some("full") => alone(args, checks::full),
-        Some("probe") => alone(args, proofs::probe),
+        Some("probe") => alone(args, || proofs::probe(Proofs::All)),
         Some(other) => bail!("no command `{other}`\n\n{HELP}"),
         None => bail!("which command?\n\n{HELP}"),
     }
