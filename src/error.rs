@@ -54,6 +54,18 @@ pub enum BufferError {
         /// Rows that share bytes: a band starts at a multiple of this, and ends at one or at the end of the screen.
         page: u16,
     },
+    /// A frame is cut between rows that share bytes, such as the eight rows of a page.
+    CutInPage {
+        /// The first row below the cut.
+        row: i32,
+        /// Rows that share bytes: the cut lies at a multiple of this, counted from the first row in memory.
+        page: u16,
+    },
+    /// A frame is cut whose rows do not lie one after the other in memory: planes, for example.
+    RowsApart {
+        /// The first row below the cut.
+        row: i32,
+    },
 }
 
 /// One row alone is crossed by more edges than the edge table has slots.
@@ -172,6 +184,12 @@ impl fmt::Display for BufferError {
             }
             Self::BandSplitsPage { start, end, page } => {
                 write!(f, "band {start}..{end} splits a page: {page} rows share their bytes")
+            }
+            Self::CutInPage { row, page } => {
+                write!(f, "a cut above row {row} lies in a page: {page} rows share their bytes")
+            }
+            Self::RowsApart { row } => {
+                write!(f, "no cut above row {row}: the rows do not lie one after the other in memory")
             }
         }
     }

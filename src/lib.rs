@@ -13,6 +13,7 @@ mod num;
 pub mod paint;
 pub mod pipeline;
 pub mod pixel;
+pub mod present;
 pub mod raster;
 mod span;
 pub mod surface;

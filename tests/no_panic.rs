@@ -297,6 +297,20 @@ fn what_computes_in_space() {
 }
 
 #[test]
+fn what_hands_frames_to_a_display() {
+    let mut rng = Rng::new(891);
+    for _ in 0..twins::rng::cases(20_000) {
+        let arguments = calls::present::Arguments {
+            operations: [(); 12].map(|()| rng.bits() as u8),
+            size: [(); 3].map(|()| if rng.one_in(4) { rng.bits() as u16 } else { rng.below(40) as u16 }),
+        };
+        for k in 0..=calls::present::NAMES.len() {
+            black_box(calls::present::call(&arguments, k));
+        }
+    }
+}
+
+#[test]
 fn values_over_triangles() {
     let (mut rng, mut scratch) = (Rng::new(891), Scratch::new(891));
     for _ in 0..twins::rng::cases(10_000) {

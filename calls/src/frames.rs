@@ -31,6 +31,9 @@ calls! {
     clear => on.clear(c);
     view => crate::draw(&mut on.view(a.areas[0]), a, 1);
     clipped => crate::draw(&mut on.clipped(a.areas[0]), a, 1);
+    split_at_row => on.as_mut().split_at_row(a.points[0].y).map(|(mut above, mut below)| {
+        crate::draw(&mut above, a, 2).wrapping_add(crate::draw(&mut below, a, 2))
+    });
     // What is only to be read.
     view => a.picture.view(a.areas[0]).get(a.points[0]) == Some(c);
     clipped => a.picture.clipped(a.areas[0]).get(a.points[0]) == Some(c);

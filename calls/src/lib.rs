@@ -1,7 +1,7 @@
 //! The list of everything that draws.
 //!
 //! Whoever has to call all of it takes it from here: the proofs that no call can panic, on computers and on chips, the tests with
-//! wild arguments, and the fuzz target that compares sequences of calls. There are six lists:
+//! wild arguments, and the fuzz target that compares sequences of calls. The lists are:
 //!
 //! | list | what it calls | on |
 //! |---|---|---|
@@ -11,6 +11,7 @@
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
 //! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
 //! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
+//! | [`present::call`] | buffers and bands on their way to a display, likewise | nothing |
 //!
 //! A call is named as what it calls: the type, the trait or the module, and the function. A test in `tests/calls.rs` reads the
 //! sources of the crate, and fails when something public is missing here.
@@ -19,6 +20,7 @@
 pub mod answer;
 pub mod computing;
 pub mod frames;
+pub mod present;
 pub mod shading;
 pub mod space;
 

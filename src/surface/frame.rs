@@ -272,6 +272,60 @@ impl<L: Layout> Frame<&mut [u8], L> {
     }
 }
 
+impl<L: Layout> Frame<&mut [u8], L> {
+    /// Cuts it above a row: what lies above, and what lies below with that row. Both keep the coordinates of the whole, and have no
+    /// memory in common, so two cores can draw on them at once. Where the row lies outside of what is in memory, one of them is empty.
+    /// ```
+    /// use embedded_raster::{Canvas, Framebuffer, Index8};
+    /// let mut ram = [0; 64 * 48];
+    /// let screen = Framebuffer::<Index8>::new(&mut ram, 64, 48)?;
+    /// let (mut above, mut below) = screen.split_at_row(20)?;
+    /// // On another core, or in another thread:
+    /// above.fill_triangle([(5, 3), (60, 20), (20, 45)], Index8::new(7));
+    /// below.fill_triangle([(5, 3), (60, 20), (20, 45)], Index8::new(7));
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    /// # Errors
+    /// [`BufferError::CutInPage`] between rows that share bytes; [`BufferError::RowsApart`] if rows do not lie one after the other in
+    /// memory, as in [`Planes`](super::Planes), or if the layout does not [say so](Layout::bytes_above).
+    pub fn split_at_row(self, row: i32) -> Result<(Self, Self), BufferError> {
+        let Self { memory, grid, width, height, window, row: offset, column, layout } = self;
+        let y = index(row.saturating_add(offset).max(0)).min(grid.rows);
+        if y != grid.rows && !y.is_multiple_of(L::PAGE.into()) {
+            return Err(BufferError::CutInPage { row, page: L::PAGE });
+        }
+        let bytes = L::bytes_above(grid, y).ok_or(BufferError::RowsApart { row })?;
+        // The last row may end before its stride does.
+        let (upper, lower) = memory.split_at_mut(bytes.min(memory.len()));
+        let (Rect { y0, y1, .. }, rows) = (window, grid.rows.wrapping_sub(y));
+        let window = |y0: i32, y1: i32| Rect { y0, y1, ..window };
+        let grid = |rows: usize| Grid { rows, ..grid };
+        let below = offset.wrapping_sub(i32::try_from(y).unwrap_or(i32::MAX));
+        Ok((
+            Frame {
+                memory: upper,
+                grid: grid(y),
+                width,
+                height,
+                window: window(y0, y1.min(row)),
+                row: offset,
+                column,
+                layout,
+            },
+            Frame {
+                memory: lower,
+                grid: grid(rows),
+                width,
+                height,
+                window: window(y0.max(row), y1),
+                row: below,
+                column,
+                layout,
+            },
+        ))
+    }
+}
+
 impl<L: Layout> Frame<&[u8], L> {
     /// The part of it in `area`, as a picture of its own whose (0, 0) is the top left corner of `area`: a tile of a sheet, say.
     #[must_use]

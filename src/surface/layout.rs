@@ -82,6 +82,14 @@ pub trait Layout: 'static {
         }
     }
 
+    /// How many bytes lie before row y, if they are those of all rows above it and of no other; y is a multiple of
+    /// [`PAGE`](Self::PAGE). `None`, by default, if rows do not lie like that: then memory cannot be cut between two rows.
+    #[inline]
+    fn bytes_above(grid: Grid, y: usize) -> Option<usize> {
+        let _ = (grid, y);
+        None
+    }
+
     /// Reads a pixel.
     fn get(memory: &[u8], grid: Grid, at: Place) -> Self::Color;
 

@@ -48,6 +48,11 @@ impl Layout for Packed12 {
     }
 
     #[inline]
+    fn bytes_above(grid: Grid, y: usize) -> Option<usize> {
+        Some(grid.stride.wrapping_mul(y))
+    }
+
+    #[inline]
     fn get(memory: &[u8], grid: Grid, at: Place) -> Rgb444 {
         let (byte, is_right) = place(grid, at);
         let Some(&[first, second]) = memory.get(byte..).and_then(<[u8]>::first_chunk) else { return Rgb444::default() };

@@ -88,6 +88,11 @@ impl<F: PixelFormat> Layout for Pages<F> {
     }
 
     #[inline]
+    fn bytes_above(grid: Grid, y: usize) -> Option<usize> {
+        Some(grid.stride.wrapping_mul(y.div_ceil(Self::PAGE.into())))
+    }
+
+    #[inline]
     fn get(memory: &[u8], grid: Grid, (x, y): Place) -> F::Color {
         let byte = memory.get(byte(grid, x, y)).copied().unwrap_or(0);
         F::unpack(u32::from(byte & mask::<F>(y, y) != 0))

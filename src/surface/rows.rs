@@ -81,6 +81,11 @@ impl<F: PixelFormat> Layout for Rows<F> {
         crate::pixel::row_bytes::<F>(width)
     }
 
+    #[inline]
+    fn bytes_above(grid: Grid, y: usize) -> Option<usize> {
+        Some(start(grid, y))
+    }
+
     #[inline(always)]
     fn get(memory: &[u8], grid: Grid, (x, y): Place) -> F::Color {
         F::unpack(rows::get::<F>(memory, start(grid, y), x))

@@ -100,3 +100,8 @@ pub unsafe extern "C" fn shade(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, 
 pub extern "C" fn space(a: &calls::space::Arguments, number: usize) -> u32 {
     calls::space::call(a, number)
 }
+
+#[no_mangle]
+pub extern "C" fn hand_over(a: &calls::present::Arguments, number: usize) -> u32 {
+    calls::present::call(a, number)
+}
