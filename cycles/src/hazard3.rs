@@ -49,8 +49,9 @@ impl Hazard3 {
             Kind::Jump | Kind::Link => 2,
             Kind::Branch => 1 + u32::from(!self.foresees(outcome)),
             Kind::System => 3,
-            // The last three are Thumb code.
-            Kind::Data | Kind::Load | Kind::Store { .. } | Kind::Double | Kind::Multiple { .. } | Kind::Table => 1,
+            Kind::Data | Kind::Load | Kind::Store { .. } => 1,
+            // In Thumb code only.
+            Kind::FloatDivide | Kind::FloatMultiplyAdd | Kind::Double | Kind::Multiple { .. } | Kind::Table => 1,
         };
         cycles + wait + split
     }

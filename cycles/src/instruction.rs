@@ -16,6 +16,10 @@ pub enum Kind {
         /// Of signed numbers.
         signed: bool,
     },
+    /// `vdiv`, `vsqrt`.
+    FloatDivide,
+    /// `vmla`, `vfma` and their like: a product and a sum.
+    FloatMultiplyAdd,
     /// Special registers and barriers.
     System,
     /// One register, from memory.

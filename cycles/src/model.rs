@@ -4,6 +4,8 @@
 //! |---|---|---|
 //! | data processing, multiplication | 1 | 1 |
 //! | `sdiv`, `udiv` | 12 | |
+//! | `vdiv`, `vsqrt` | 14 | |
+//! | `vmla`, `vfma` | 3 | |
 //! | load | 2, or 1 after a load or a store | 2 |
 //! | store, `[r, #n]` | 1 | 2 |
 //! | store, `[r, r]` | 2, or 1 after a load | 2 |
@@ -26,10 +28,12 @@
 //!
 //! RISC-V is in [`hazard3`](crate::hazard3).
 //!
-//! What cannot be known is taken as follows. A division takes 2 to 12, fewer when its quotient is small; registers are not seen,
-//! so it takes the most. Filling the pipeline takes 1 to 3; it takes 2, but `ldr pc` and the jump through a table, which are said
-//! to block, take 3. An `it` that is folded onto another instruction would cost nothing; it costs 1. The multiplier of
-//! Cortex-M0+ is the fast one. Left out are wait states, and fetches that contend with literals or that straddle words.
+//! What cannot be known is taken as follows. A division takes 2 to 12, fewer when its quotient is small; registers are
+//! not seen, so it takes the most. A result of floating point costs 1 more when the next instruction asks for it; its
+//! registers are not seen, so it does not. Filling the pipeline takes 1 to 3; it takes 2, but `ldr pc` and the jump
+//! through a table, which are said to block, take 3. An `it` that is folded onto another instruction would cost nothing;
+//! it costs 1. The multiplier of Cortex-M0+ is the fast one. Left out are wait states, and fetches that contend with
+//! literals or that straddle words.
 //!
 //! Sources: Cortex-M4 Technical Reference Manual (100166), 3.3.1 and 3.3.2; Cortex-M0+ Technical Reference Manual (DDI 0484C),
 //! 3.3.
@@ -112,6 +116,9 @@ const FILL: u32 = 2;
 const BLOCKING_FILL: u32 = 3;
 /// The most that a division takes.
 const DIVISION: u32 = 12;
+/// A division of floats, and a product of them that is added to something.
+const FLOAT_DIVISION: u32 = 14;
+const FLOAT_MULTIPLY_ADD: u32 = 3;
 
 impl Model {
     /// For this core.
@@ -142,6 +149,8 @@ impl Model {
         let (cycles, before) = match kind {
             Kind::Data => (1, Before::Computed(writes)),
             Kind::Divide { .. } => (DIVISION, Before::Computed(writes)),
+            Kind::FloatDivide => (FLOAT_DIVISION, Before::Other),
+            Kind::FloatMultiplyAdd => (FLOAT_MULTIPLY_ADD, Before::Other),
             Kind::System => (2, Before::Computed(writes)),
             Kind::Load if writes & PC != 0 => (2 + BLOCKING_FILL, Before::Other),
             Kind::Load => (2 - overlaps, Before::Loaded(writes)),
@@ -161,8 +170,8 @@ impl Model {
 fn m0(instruction: Instruction, outcome: Outcome) -> u32 {
     let taken = u32::from(outcome.taken);
     match instruction.kind {
-        // It divides by a function of many instructions.
-        Kind::Data | Kind::Divide { .. } => 1,
+        // It divides by a function of many instructions, and has no floats.
+        Kind::Data | Kind::Divide { .. } | Kind::FloatDivide | Kind::FloatMultiplyAdd => 1,
         Kind::System | Kind::Link => 3,
         Kind::Load | Kind::Store { .. } | Kind::Double => 2,
         Kind::Multiple { count } if instruction.writes & PC != 0 => 3 + u32::from(count),

@@ -186,7 +186,7 @@ const fn single(first: u16, second: u16, loads: bool) -> Instruction {
     }
 }
 
-/// Coprocessor 10 and 11. What floating point computes is taken as data processing: this crate has none of it.
+/// Coprocessor 10 and 11. This crate has none of it; what it is compared with has.
 #[allow(clippy::cast_possible_truncation, reason = "8 bits")]
 const fn float(first: u16, second: u16) -> Instruction {
     if first & 0xFE00 == 0xEC00 && first & 0x01A0 != 0 {
@@ -194,6 +194,16 @@ const fn float(first: u16, second: u16) -> Instruction {
         let words = second as u8;
         let count = if first & 0x0120 == 0x0100 { 1 + (second >> 8 & 1) as u8 } else { words };
         return Instruction::new(Kind::Multiple { count }).at(high(first, 0));
+    }
+    // Data processing: bits 7, 5 and 4 say what, and bit 4 of the second halfword is clear.
+    if first & 0xFF00 == 0xEE00 && second & 0x10 == 0 {
+        let kind = match first & 0xB0 {
+            0x80 => Kind::FloatDivide,
+            0xB0 if first & 0xF == 1 && second & 0xC0 == 0xC0 => Kind::FloatDivide,
+            0x00 | 0x10 | 0x90 | 0xA0 => Kind::FloatMultiplyAdd,
+            _ => Kind::Data,
+        };
+        return Instruction::new(kind);
     }
     // `vmov`, to a register of the processor.
     let moves = first & 0xFF10 == 0xEE10 && second & 0x10 != 0;
@@ -285,6 +295,22 @@ mod tests {
         check(0xF3AF, 0x8000, Kind::Data, &[], &[]); // nop.w
         check(0xEE10, 0x1A10, Kind::Data, &[1], &[]); // vmov r1, s0
         check(0xEE00, 0x1A10, Kind::Data, &[], &[]); // vmov s0, r1
+    }
+
+    #[test]
+    fn floats() {
+        check(0xEE30, 0x1A01, Kind::Data, &[], &[]); // vadd.f32 s2, s0, s2
+        check(0xEE20, 0x1A01, Kind::Data, &[], &[]); // vmul.f32 s2, s0, s2
+        check(0xEEB4, 0x0A60, Kind::Data, &[], &[]); // vcmp.f32 s0, s1
+        check(0xEEBD, 0x0AC0, Kind::Data, &[], &[]); // vcvt.s32.f32 s0, s0
+        check(0xEEF1, 0xFA10, Kind::Data, &[], &[]); // vmrs APSR_nzcv, fpscr
+        check(0xEE80, 0x0A20, Kind::FloatDivide, &[], &[]); // vdiv.f32 s0, s0, s1
+        check(0xEEC0, 0x0A20, Kind::FloatDivide, &[], &[]); // vdiv.f32 s1, s0, s1
+        check(0xEEB1, 0x0AC0, Kind::FloatDivide, &[], &[]); // vsqrt.f32 s0, s0
+        check(0xEEB1, 0x0A40, Kind::Data, &[], &[]); // vneg.f32 s0, s0
+        check(0xEE00, 0x0A20, Kind::FloatMultiplyAdd, &[], &[]); // vmla.f32 s0, s0, s1
+        check(0xEEA0, 0x0A20, Kind::FloatMultiplyAdd, &[], &[]); // vfma.f32 s0, s0, s1
+        check(0xEEE0, 0x0A20, Kind::FloatMultiplyAdd, &[], &[]); // vfma.f32 s1, s0, s1
     }
 
     #[test]
