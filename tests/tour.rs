@@ -1,4 +1,5 @@
-//! The page of the crate, `src/tour.md`: its pictures, which stand as data at its end, are what the programs on it draw.
+//! Pages of the documentation with pictures: the page of the crate, `src/tour.md`, and those of some modules. Pictures stand as data
+//! at the end of a page, or in a file of their own beside a module, and are what the programs above them draw.
 //!
 //! `cargo xtask tour` writes the pictures anew: look at each before committing it.
 
@@ -13,22 +14,29 @@ use std::{env, fs, path::Path};
 
 use embedded_graphics_core::{
     geometry::Point,
-    pixelcolor::{Gray4, Rgb565, Rgb888},
+    pixelcolor::{Gray4, Rgb565, Rgb888, RgbColor},
 };
 use embedded_raster::{
     buffer_bytes,
     geom::At,
-    paint::Bayer,
-    pixel::EGA,
+    paint::{Bayer, Linear, Outside, Radial},
+    pipeline::{Pipeline, Vertex},
+    pixel::{Channels, EGA},
+    px,
     raster::{
         ellipse,
         flood::{Connectivity, FloodSlot},
-        line, triangle,
+        line, rectangle, triangle,
     },
+    surface::texture::{Clamp, Mirror, Repeat, Texture},
     Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
-    Paint, Palette, PointFx, Rect, Stroke, Surface,
+    Paint, Palette, PointFx, Rect, Stroke, Surface, Vec3,
 };
-use embedded_raster_simulator::Picture;
+use embedded_raster_simulator::{
+    teapot::{draw, Camera, Patches, View},
+    Picture,
+};
+use fixed::types::I16F16;
 
 /// How many times as large as its pixels a picture is shown.
 const ZOOM: usize = 4;
@@ -36,9 +44,55 @@ const ZOOM: usize = 4;
 /// Draws a picture.
 type Program = fn() -> Result<Picture, Error>;
 
-/// Pictures whose program stands above them on the page.
-const PROGRAMS: [(&str, Program); 4] =
-    [("first-program", first_program), ("paints", paints), ("dither", dither), ("reading", reading)];
+/// A page with pictures.
+struct Page {
+    /// The file that is read.
+    text: &'static str,
+    /// The file that has the pictures as data.
+    data: &'static str,
+    /// Pictures whose program stands above them.
+    programs: &'static [(&'static str, Program)],
+    /// Other pictures.
+    others: &'static [(&'static str, Program)],
+    /// Pictures that are files.
+    files: &'static [(&'static str, &'static str)],
+}
+
+const PAGES: [Page; 4] = [
+    Page {
+        text: "src/tour.md",
+        data: "src/tour.md",
+        programs: &[("first-program", first_program), ("paints", paints), ("dither", dither), ("reading", reading)],
+        others: &[("places", places)],
+        files: &[("world-map", "docs/world_map.png"), ("shapes", "docs/shapes.png"), ("teapots", "docs/teapot.png")],
+    },
+    Page {
+        text: "src/paint/mod.rs",
+        data: "src/paint/pictures.md",
+        programs: &[("gradients", gradients)],
+        others: &[],
+        files: &[],
+    },
+    Page {
+        text: "src/surface/texture.rs",
+        data: "src/surface/texture.md",
+        programs: &[("address-modes", address_modes)],
+        others: &[],
+        files: &[],
+    },
+    Page {
+        text: "src/pipeline/mod.rs",
+        data: "src/pipeline/pictures.md",
+        programs: &[("blue-triangle", blue_triangle)],
+        others: &[
+            ("teapot-gouraud", || teapot(View::Gouraud)),
+            ("teapot-textured", || teapot(View::Textured)),
+            ("teapot-depth", || teapot(View::Depth)),
+            ("teapot-id", || teapot(View::Id)),
+        ],
+        files: &[],
+    },
+];
 
 fn first_program() -> Result<Picture, Error> {
     let mut ram = [0; buffer_bytes::<Index4>(64, 48)]; // 1,536 bytes
@@ -108,6 +162,70 @@ fn reading() -> Result<Picture, Error> {
     Ok(Picture::indexed(&frame, &EGA).zoomed(ZOOM))
 }
 
+fn gradients() -> Result<Picture, Error> {
+    let mut ram = [0; buffer_bytes::<Rgb565>(144, 48)];
+    let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 144, 48)?;
+    let mix = |level, _| Rgb565::between([Rgb565::YELLOW, Rgb565::BLUE], level);
+
+    let sky = Linear::new([PointFx::px(4, 4), PointFx::px(44, 44)], Outside::Clamp, mix);
+    frame.paint(sky, |window, brush| rectangle::fill(Rect::new(4, 4, 44, 44), window, brush));
+
+    let ball = Radial::new(PointFx::px(64, 16), px(32), Outside::Clamp, mix);
+    let disc = Ellipse::in_box(Rect::new(52, 4, 92, 44));
+    frame.paint(ball, |window, brush| ellipse::fill(disc, window, brush));
+
+    let corners = [(100, 44), (120, 4), (140, 44)].map(|(x, y)| PointFx::px(x, y));
+    frame.shade_triangle_fx(corners, [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE], |color| color)?;
+    Ok(Picture::of(&frame).zoomed(ZOOM))
+}
+
+fn address_modes() -> Result<Picture, Error> {
+    // The letter F, 8 x 8 pixels of 4 bits.
+    const F: [u8; 32] = [
+        0x44, 0x44, 0x44, 0x44, 0x4f, 0xff, 0xff, 0xf4, 0x4f, 0x44, 0x44, 0x44, 0x4f, 0xff, 0xf4, 0x44, //
+        0x4f, 0x44, 0x44, 0x44, 0x4f, 0x44, 0x44, 0x44, 0x4f, 0x44, 0x44, 0x44, 0x44, 0x44, 0x44, 0x44, //
+    ];
+    let letter = Bitmap::<Gray4>::new(&F, 8, 8)?;
+    let repeat = Texture::new(&letter, (Repeat, Repeat)).expect("it has texels");
+    let mirror = Texture::new(&letter, (Mirror, Mirror)).expect("it has texels");
+    let clamp = Texture::new(&letter, (Clamp, Clamp)).expect("it has texels");
+
+    let mut ram = [0; buffer_bytes::<Gray4>(204, 68)];
+    let mut frame = Framebuffer::<Gray4>::new(&mut ram, 204, 68)?;
+    // A square of two triangles, 64 pixels wide, shows 24 texels: from 8 before the picture to 8 behind it.
+    let mut square = |left: i32, color: &dyn Fn(I16F16, I16F16) -> Gray4| {
+        let place = |(x, y)| PointFx::px(left + 64 * x, 2 + 64 * y);
+        let texel = |(x, y)| (I16F16::from_num(24 * x - 8), I16F16::from_num(24 * y - 8));
+        for corners in [[(0, 0), (1, 0), (0, 1)], [(1, 1), (0, 1), (1, 0)]] {
+            frame.shade_triangle_fx(corners.map(place), corners.map(texel), |(u, v)| color(u, v))?;
+        }
+        Ok::<(), Error>(())
+    };
+    square(2, &|u, v| repeat.nearest(u, v))?;
+    square(70, &|u, v| mirror.nearest(u, v))?;
+    square(138, &|u, v| clamp.bilinear(u, v))?;
+    Ok(Picture::of(&frame).zoomed(ZOOM))
+}
+
+fn blue_triangle() -> Result<Picture, Error> {
+    let mut ram = [0; buffer_bytes::<Rgb565>(64, 64)];
+    let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 64)?;
+    let corners = [(-1, 0), (0, -1), (-1, -1)].map(|(x, y)| Vec3::whole(x, y, 0));
+    Pipeline::new(64, 64).triangles(
+        [corners],
+        |place| Vertex::new(place.with_w(I16F16::ONE), ()),
+        |triangle| triangle.fill(&mut frame, |_| Some(Rgb565::BLUE)),
+    );
+    Ok(Picture::of(&frame).zoomed(ZOOM))
+}
+
+/// The teapot, 160 x 120 pixels of 4 bits.
+fn teapot(view: View) -> Result<Picture, Error> {
+    let camera = Camera { zoom: I16F16::from_num(1.25), ..Camera::new(160, 120) };
+    let patches = Patches::parse(include_str!("../assets/teapot-patches.txt")).expect("they are well-formed");
+    Ok(draw(4, &patches.mesh(camera.tolerance(view)), view, &camera, None)?.picture)
+}
+
 /// A triangle between places and a line between pixels, on a grid whose cells stand for pixels.
 fn places() -> Result<Picture, Error> {
     const CELL: i32 = 16;
@@ -150,24 +268,33 @@ fn rgb(color: u32) -> Rgb888 {
     Rgb888::new(r, g, b)
 }
 
-/// The pictures of the page: their names, and PNG files.
-fn pictures() -> Vec<(&'static str, Vec<u8>)> {
-    let drawn = PROGRAMS.into_iter().chain([("places", places as Program)]).map(|(name, draw)| {
-        let picture = draw().unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name, picture.to_png().expect("it has pixels"))
-    });
-    // The pictures of the README.
-    let read = [("world-map", "docs/world_map.png"), ("shapes", "docs/shapes.png")]
-        .map(|(name, file)| (name, fs::read(project().join(file)).expect("a readable file")));
-    drawn.chain(read).collect()
+impl Page {
+    /// Its pictures: their names, and PNG files.
+    fn pictures(&self) -> Vec<(&'static str, Vec<u8>)> {
+        let drawn = self.programs.iter().chain(self.others).map(|&(name, draw)| {
+            let picture = draw().unwrap_or_else(|error| panic!("{name}: {error}"));
+            (name, picture.to_png().expect("it has pixels"))
+        });
+        let read =
+            self.files.iter().map(|&(name, file)| (name, fs::read(project().join(file)).expect("it is readable")));
+        drawn.chain(read).collect()
+    }
+
+    /// Its text, without the marks of comments.
+    fn text(&self) -> String {
+        let text = read(self.text);
+        let line =
+            |line: &str| line.strip_prefix("//! ").or(line.strip_prefix("//!")).unwrap_or(line).to_owned() + "\n";
+        text.lines().map(line).collect()
+    }
 }
 
 fn project() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn page() -> String {
-    fs::read_to_string(project().join("src/tour.md")).expect("a readable page")
+fn read(file: &str) -> String {
+    fs::read_to_string(project().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
 /// What the definition of a picture begins with: `[name]: data:...`.
@@ -187,28 +314,31 @@ fn base64(bytes: &[u8]) -> String {
     digits.collect()
 }
 
-/// Every definition at the end of the page is the picture as it is drawn today. With `BLESS=1`, writes them.
+/// Every definition is the picture as it is drawn today. With `BLESS=1`, writes them.
 #[test]
 fn pictures_are_up_to_date() {
-    let pictures = pictures();
-    let page = page();
-    let new: String = page
-        .lines()
-        .map(|line| match pictures.iter().find(|(name, _)| line.starts_with(&definition(name))) {
-            Some((name, file)) => format!("{}{}\n", definition(name), base64(file)),
-            None => format!("{line}\n"),
-        })
-        .collect();
-    if env::var_os("BLESS").is_some_and(|bless| bless == "1") {
-        fs::write(project().join("src/tour.md"), new).expect("the page can be written");
-        return;
+    let is_blessed = env::var_os("BLESS").is_some_and(|bless| bless == "1");
+    for page in PAGES {
+        let (pictures, data, text) = (page.pictures(), read(page.data), page.text());
+        let new: String = data
+            .lines()
+            .map(|line| match pictures.iter().find(|(name, _)| line.starts_with(&definition(name))) {
+                Some((name, file)) => format!("{}{}\n", definition(name), base64(file)),
+                None => format!("{line}\n"),
+            })
+            .collect();
+        if is_blessed {
+            fs::write(project().join(page.data), new).expect("it can be written");
+            continue;
+        }
+        for (name, file) in &pictures {
+            assert!(text.contains(&format!("][{name}]")), "{name} is shown in {}", page.text);
+            let is_new = data.contains(&format!("{}{}\n", definition(name), base64(file)));
+            assert!(is_new, "{name} is not what is drawn today: run `cargo xtask tour`, and look at it");
+        }
+        assert_eq!(data.matches("]: data:").count(), pictures.len(), "each picture of {} is drawn", page.data);
+        assert_eq!(data, new, "the rest stays as it is");
     }
-    for (name, file) in &pictures {
-        assert!(page.contains(&format!("][{name}]\n")), "{name} is shown");
-        let is_new = page.contains(&format!("{}{}\n", definition(name), base64(file)));
-        assert!(is_new, "{name} is not what is drawn today: run `cargo xtask tour`, and look at it");
-    }
-    assert_eq!(page, new, "the rest stays as it is");
 }
 
 /// The program above a picture is the one that draws it: line by line, but for imports and what the page hides.
@@ -216,23 +346,25 @@ fn pictures_are_up_to_date() {
 fn programs_draw_the_pictures_below_them() {
     let trimmed = |text: &str| text.lines().map(|line| line.trim().to_owned() + "\n").collect::<String>();
     let here = trimmed(include_str!("tour.rs"));
-    for (name, _) in PROGRAMS {
-        let page = page();
-        let above = page.split_once(&format!("][{name}]")).expect("it is shown").0;
-        let block = above.rsplit("```").nth(1).expect("a program stands above it");
-        let shown = block.lines().filter(|line| !line.starts_with("# "));
-        // Imports stand at the top, up to an empty line.
-        let program = shown.skip_while(|line| !line.is_empty()).skip(1).skip_while(|line| !line.is_empty()).skip(1);
-        let program = trimmed(&program.collect::<Vec<_>>().join("\n"));
-        assert!(program.lines().count() > 5, "a program: {program}");
-        assert!(here.contains(program.trim()), "{name} is drawn by another program than\n{program}");
+    for page in PAGES {
+        let text = page.text();
+        for (name, _) in page.programs {
+            let above = text.split_once(&format!("][{name}]")).expect("it is shown").0;
+            let block = above.rsplit("```").nth(1).expect("a program stands above it");
+            let shown = block.lines().filter(|line| !line.starts_with("# "));
+            // Imports stand at the top, up to an empty line.
+            let program = shown.skip_while(|line| !line.is_empty()).skip(1).skip_while(|line| !line.is_empty()).skip(1);
+            let program = trimmed(&program.collect::<Vec<_>>().join("\n"));
+            assert!(program.lines().count() > 5, "a program: {program}");
+            assert!(here.contains(program.trim()), "{name} is drawn by another program than\n{program}");
+        }
     }
 }
 
 /// Bytes of screens, as the table of the page has them.
 #[test]
 fn the_table_of_memory() {
-    let page = page();
+    let page = read("src/tour.md");
     for (width, height) in [(128, 64), (200, 200), (240, 240), (320, 240), (480, 320), (800, 480)] {
         let bytes = [
             buffer_bytes::<Index1>(width, height),

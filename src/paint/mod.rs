@@ -23,6 +23,34 @@
 //! assert_eq!(ram[..10], [1, 254, 254, 254, 1, 254, 254, 254, 254, 254]);
 //! # Ok::<(), embedded_raster::Error>(())
 //! ```
+//!
+//! [`Linear`] and [`Radial`] are gradients for any shape. What changes from corner to corner of a triangle is a
+//! [`Varying`](crate::geom::Varying): [`Canvas::shade_triangle_fx`](crate::Canvas::shade_triangle_fx) draws it, by a [`Shade`].
+//! ```
+//! use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+//! use embedded_raster::{
+//!     buffer_bytes, paint::{Linear, Outside, Radial}, pixel::Channels, px, raster::{ellipse, rectangle}, Canvas, Ellipse,
+//!     Framebuffer, PointFx, Rect,
+//! };
+//!
+//! let mut ram = [0; buffer_bytes::<Rgb565>(144, 48)];
+//! let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 144, 48)?;
+//! let mix = |level, _| Rgb565::between([Rgb565::YELLOW, Rgb565::BLUE], level);
+//!
+//! let sky = Linear::new([PointFx::px(4, 4), PointFx::px(44, 44)], Outside::Clamp, mix);
+//! frame.paint(sky, |window, brush| rectangle::fill(Rect::new(4, 4, 44, 44), window, brush));
+//!
+//! let ball = Radial::new(PointFx::px(64, 16), px(32), Outside::Clamp, mix);
+//! let disc = Ellipse::in_box(Rect::new(52, 4, 92, 44));
+//! frame.paint(ball, |window, brush| ellipse::fill(disc, window, brush));
+//!
+//! let corners = [(100, 44), (120, 4), (140, 44)].map(|(x, y)| PointFx::px(x, y));
+//! frame.shade_triangle_fx(corners, [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE], |color| color)?;
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
+//!
+//! ![A square from yellow to blue, a ball with a light on it, and a triangle from red over green to blue][gradients]
+#![doc = include_str!("pictures.md")]
 
 mod brush;
 pub mod colors;

@@ -40,6 +40,15 @@
 //! # Ok::<(), embedded_raster::Error>(())
 //! ```
 //!
+//! ![A blue triangle in the lower left corner of a black square][blue-triangle]
+//!
+//! What a program sees of a pixel is a [`Fragment`]: its values, its depth, its number. Each of them can be a colour:
+//!
+//! ![A teapot, lit][teapot-gouraud] ![With a texture][teapot-textured]
+//! ![The nearer, the lighter][teapot-depth] ![Each triangle in a colour of its own][teapot-id]
+//!
+//! *The teapot in 160 x 120 pixels of 4 bits, dithered: colours from corner to corner, a texture, depths, and numbers of triangles.*
+//!
 //! # Coordinates
 //! Clip coordinates are [`Vec4`](crate::Vec4)s: x from -w to w from left to right, y from -w to w from bottom to top, z from 0 at the near plane
 //! to w at the far one. What is divided by w are normalized device coordinates, NDC. The viewport maps x from -1 to 1 to pixels 0 to
@@ -70,6 +79,7 @@
 //!
 //! Sources: I. Sutherland and G. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17, 1974; J. Blinn and M. Newell,
 //! "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
+#![doc = include_str!("pictures.md")]
 
 mod assembly;
 mod clip;

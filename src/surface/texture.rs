@@ -9,8 +9,45 @@
 //!   own colour.
 //! - **Outside** of the picture each axis has a rule, an [`AddressMode`]: [`Clamp`], [`Repeat`], [`Mirror`] or [`Tile`].
 //!
+//! ```
+//! use embedded_graphics_core::pixelcolor::Gray4;
+//! use embedded_raster::{
+//!     buffer_bytes, surface::texture::{Clamp, Mirror, Repeat, Texture}, Bitmap, Canvas, Error, Framebuffer, PointFx,
+//! };
+//! use fixed::types::I16F16;
+//!
+//! // The letter F, 8 x 8 pixels of 4 bits.
+//! const F: [u8; 32] = [
+//!     0x44, 0x44, 0x44, 0x44, 0x4f, 0xff, 0xff, 0xf4, 0x4f, 0x44, 0x44, 0x44, 0x4f, 0xff, 0xf4, 0x44, //
+//!     0x4f, 0x44, 0x44, 0x44, 0x4f, 0x44, 0x44, 0x44, 0x4f, 0x44, 0x44, 0x44, 0x44, 0x44, 0x44, 0x44, //
+//! ];
+//! let letter = Bitmap::<Gray4>::new(&F, 8, 8)?;
+//! let repeat = Texture::new(&letter, (Repeat, Repeat)).expect("it has texels");
+//! let mirror = Texture::new(&letter, (Mirror, Mirror)).expect("it has texels");
+//! let clamp = Texture::new(&letter, (Clamp, Clamp)).expect("it has texels");
+//!
+//! let mut ram = [0; buffer_bytes::<Gray4>(204, 68)];
+//! let mut frame = Framebuffer::<Gray4>::new(&mut ram, 204, 68)?;
+//! // A square of two triangles, 64 pixels wide, shows 24 texels: from 8 before the picture to 8 behind it.
+//! let mut square = |left: i32, color: &dyn Fn(I16F16, I16F16) -> Gray4| {
+//!     let place = |(x, y)| PointFx::px(left + 64 * x, 2 + 64 * y);
+//!     let texel = |(x, y)| (I16F16::from_num(24 * x - 8), I16F16::from_num(24 * y - 8));
+//!     for corners in [[(0, 0), (1, 0), (0, 1)], [(1, 1), (0, 1), (1, 0)]] {
+//!         frame.shade_triangle_fx(corners.map(place), corners.map(texel), |(u, v)| color(u, v))?;
+//!     }
+//!     Ok::<(), Error>(())
+//! };
+//! square(2, &|u, v| repeat.nearest(u, v))?;
+//! square(70, &|u, v| mirror.nearest(u, v))?;
+//! square(138, &|u, v| clamp.bilinear(u, v))?;
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
+//!
+//! ![Three squares: with nine letters, with letters of which every other one is turned over, and with a blurred one][address-modes]
+//!
 //! Sources: E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", 1974 (textures); P. Heckbert, "Survey of
 //! Texture Mapping", IEEE Computer Graphics and Applications 6, 1986.
+#![doc = include_str!("texture.md")]
 
 use core::{fmt, num::NonZeroU32};
 

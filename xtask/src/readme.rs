@@ -30,7 +30,7 @@ pub fn update() -> Result<()> {
     })
 }
 
-/// Draws the pictures of `src/tour.md` anew. A test of the crate does it, as it has the programs that draw them.
+/// Draws the pictures of `src/tour.md` and of some modules anew. A test of the crate does it, as it has the programs that draw them.
 pub fn draw_tour() -> Result<()> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(["test", "--package", "embedded-raster", "--test", "tour"]).current_dir(project()).env("BLESS", "1");
