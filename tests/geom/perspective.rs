@@ -20,8 +20,6 @@ use twins::{
     Units,
 };
 
-use super::varying;
-
 const TRIANGLES: usize = 40_000;
 
 /// The exact value at a pixel as a ratio, both parts positive or the first one negative, from values and distances.
@@ -52,7 +50,7 @@ fn each_row(
 ) {
     let mut rng = Rng::new(seed);
     for kind in 0..cases(TRIANGLES) {
-        let (units, window) = varying::triangle(&mut rng, kind);
+        let (units, window) = planes::triangle_of_kind(&mut rng, kind);
         let facet = Facet::new(corners(units)).unwrap();
         let (values, w) = ([(); 3].map(|()| values(&mut rng)), distances(&mut rng, ratio));
         triangle::fill(corners(units), window, |span: ClippedSpan| check(&facet, units, values, w, span));
@@ -152,7 +150,7 @@ fn the_whole_range_is_kept() {
         rng.pick(&[i32::MIN.into(), i32::MAX.into(), any])
     };
     for kind in 0..cases(TRIANGLES) {
-        let (units, window) = varying::triangle(&mut rng, kind);
+        let (units, window) = planes::triangle_of_kind(&mut rng, kind);
         let (values, w) = ([(); 3].map(|()| ends(&mut rng)), [(); 3].map(|()| rng.bits() as i32));
         let (least, most) = (*values.iter().min().unwrap(), *values.iter().max().unwrap());
         let facet = Facet::new(corners(units)).unwrap();

@@ -19,7 +19,8 @@ use embedded_raster::{
 };
 use fixed::types::I16F16;
 use twins::{
-    corners, planes,
+    corners,
+    planes::{self, triangle_of_kind},
     rng::{cases, Rng},
     Units,
 };
@@ -29,42 +30,6 @@ const TRIANGLES: usize = 30_000;
 
 /// The most units that a box may have in width and height together.
 const MOST: i32 = (Facet::MOST as i32) << 8;
-
-/// A triangle of some kind, and a window on it: tiny ones, slivers, such that reach far out of the window, and the largest.
-pub(crate) fn triangle(rng: &mut Rng, kind: usize) -> ([Units; 3], Rect) {
-    let side = [40, 700, 256 * 40, 256 * 300, 256 * 4095, MOST / 2][kind % 6];
-    let (left, upper) = (rng.int(-side, side / 2), rng.int(-side, side / 2));
-    let mut corner = |along: i32| {
-        let (x, y) = (rng.int(0, side), rng.int(0, side));
-        match along {
-            // Corners of the box.
-            0 => (left + x / side * side, upper + y / side * side),
-            1 => (left + side, upper),
-            2 => (left, upper + side),
-            // Close to the diagonal: a sliver.
-            3 => (left + x, upper + x + rng.int(-2, 2).clamp(-x, side - x)),
-            4 => ((left + x) & !255 | 128, (upper + y) & !255 | 128),
-            _ => (left + x, upper + y),
-        }
-    };
-    let pick = kind / 6 % 8;
-    let units = [
-        corner([5, 1, 3, 4, 5, 0, 5, 1][pick]),
-        corner([5, 2, 3, 4, 3, 1, 5, 2][pick]),
-        corner([5, 5, 3, 4, 3, 2, 5, 0][pick]),
-    ];
-    // Windows around a place of the triangle, and sometimes rows as a whole.
-    let [a, b, c] = units;
-    let (u, v) = (rng.int(0, 100), rng.int(0, 100));
-    let at = |a: i32, b: i32, c: i32| {
-        let (b, c) = ((b - a) as i64 * i64::from(u) / 100, (c - a) as i64 * i64::from(v.min(100 - u)) / 100);
-        ((i64::from(a) + b + c) >> 8) as i32
-    };
-    let (x, y) = (at(a.0, b.0, c.0), at(a.1, b.1, c.1));
-    let window =
-        if rng.one_in(8) { Rect::new(-20_000, y, 20_000, y + 1) } else { Rect::new(x - 20, y - 3, x + 20, y + 3) };
-    (units, window)
-}
 
 /// Compares the values of all pixels of random triangles in a window with what is wanted. Returns how many were compared.
 fn compare<V: Varying>(
@@ -76,7 +41,7 @@ fn compare<V: Varying>(
 ) -> u64 {
     let (mut rng, mut seen) = (Rng::new(seed), 0);
     for i in 0..cases(TRIANGLES) {
-        let (units, window) = triangle(&mut rng, kind(i));
+        let (units, window) = triangle_of_kind(&mut rng, kind(i));
         let values = [(); 3].map(|()| values(&mut rng));
         let facet = Facet::new(corners(units)).unwrap();
         let plane = Plane::new(&facet, values.map(&from));
@@ -279,7 +244,7 @@ fn weights_of_the_lecture() {
 fn weights_are_exact_anywhere_and_parts_sum_to_one() {
     let mut rng = Rng::new(10);
     for i in 0..cases(100_000) {
-        let (units, window) = triangle(&mut rng, i % 48);
+        let (units, window) = triangle_of_kind(&mut rng, i % 48);
         let at = if rng.one_in(9) {
             (i32::MIN, i32::MAX)
         } else {
@@ -334,7 +299,7 @@ fn colors_have_the_nearest_levels() {
     fn levels<C: Varying + RgbColor>(seed: u64, kinds: &[usize], from: impl Fn([u8; 3]) -> C) {
         let (mut rng, mut seen) = (Rng::new(seed), 0);
         for i in 0..cases(TRIANGLES) {
-            let (units, window) = triangle(&mut rng, kinds[i % kinds.len()]);
+            let (units, window) = triangle_of_kind(&mut rng, kinds[i % kinds.len()]);
             let colors = [(); 3].map(|()| from([(); 3].map(|()| rng.int(0, 255) as u8)));
             let plane = Plane::new(&Facet::new(corners(units)).unwrap(), colors);
             triangle::fill(corners(units), window, |span: ClippedSpan| {
