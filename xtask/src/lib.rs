@@ -33,6 +33,7 @@ pub mod steps;
 pub mod symbols;
 pub mod table;
 pub mod toolchain;
+pub mod ways;
 
 pub use chip::Chip;
 pub use firmware::{Build, Opt, Program};

@@ -7,7 +7,7 @@ use pico_args::Arguments;
 use xtask::budget::{self, Columns};
 use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
-use xtask::{checks, cube, heading, readme, run, scene, size, symbols, Build, Chip, Opt, Program};
+use xtask::{checks, cube, heading, readme, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -33,6 +33,8 @@ The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M
         build a program, run it and print what it prints
     table [--target CHIP]... [--opt 3|s] [--cpu] [--format FORMAT] [--per pixel|call|stack] [--rows NAME,NAME...]
         run `table` and print it as Markdown: cycles, and instructions beside them
+    ways [--target CHIP]... [--opt 3|s] [--cpu]
+        run `ways`, which shades triangles as textbooks do and as this crate does, and print it as Markdown
     size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s] [--cpu]
@@ -47,7 +49,7 @@ Documentation:
     readme
         make the tables of README.md and docs/*.md anew, each by the command that stands above it
     tour
-        draw the pictures of src/tour.md, the page of the crate, anew: look at each that changed
+        draw the pictures of src/tour.md, the page of the crate, and of some modules anew: look at each that changed
 
 CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 --cpu builds with -C target-cpu of the chip's processor.
@@ -72,6 +74,7 @@ fn command(mut args: Arguments) -> Result<()> {
     match name.as_deref() {
         Some("run") => run_program(args),
         Some("table") => print_tables(args),
+        Some("ways") => print_ways(args),
         Some("size") => print_sizes(args),
         Some("scene") => print_scene(args),
         Some("cube") => print_cube(args),
@@ -122,6 +125,15 @@ fn print_tables(mut args: Arguments) -> Result<()> {
                 println!("{}", table::markdown(&rows, name, cell));
             }
         }
+    }
+    Ok(())
+}
+
+fn print_ways(mut args: Arguments) -> Result<()> {
+    let builds = builds(&mut args)?;
+    finish(args)?;
+    for build in builds {
+        println!("{}\n\n{}", heading(build)?, ways::markdown(&ways::measure(build)?));
     }
     Ok(())
 }
