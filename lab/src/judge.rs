@@ -25,7 +25,7 @@ pub(crate) struct Verdict {
     /// The same against the shape as the engine was given it, after snapping.
     pub(crate) wrong_as_given: usize,
     /// Pixels: for a line or a curve the largest distance of a painted pixel from it, for a triangle how far snapping moves a
-    /// corner.
+    /// corner. For what is shaded, how far the worst value is off.
     pub(crate) worst: f64,
     /// Pixels: the largest distance of a place on a curve from what was painted.
     pub(crate) left_out: f64,
@@ -33,6 +33,12 @@ pub(crate) struct Verdict {
     pub(crate) lines: usize,
     /// Shapes that were judged.
     pub(crate) shapes: usize,
+    /// Values of shaded pixels that were judged.
+    pub(crate) values: usize,
+    /// Those of them that are not the nearest ones.
+    pub(crate) not_nearest: usize,
+    /// How far values are off, in all.
+    pub(crate) off: f64,
 }
 
 impl Verdict {
@@ -44,6 +50,14 @@ impl Verdict {
         self.left_out = self.left_out.max(other.left_out);
         self.lines += other.lines;
         self.shapes += 1;
+        self.values += other.values;
+        self.not_nearest += other.not_nearest;
+        self.off += other.off;
+    }
+
+    /// How far a value is off in the mean.
+    pub(crate) fn mean(self) -> f64 {
+        self.off / self.values.max(1) as f64
     }
 
     /// The larger of the two distances: none of two shapes has a place that is further from the other.

@@ -19,6 +19,7 @@ mod oracle;
 mod plain;
 mod plot;
 mod report;
+mod shading;
 mod shape;
 mod workload;
 
@@ -44,6 +45,11 @@ cargo run --release -p lab -- [OPTIONS]
   --out FOLDER  where to write
   --time-only   no callgrind
   --plain       only clears, rectangles and blits, beside `slice::fill` and `copy_from_slice`: printed
+  --shading     colours, depths and textures over triangles: writes shading.md instead
+  --stores      only shaded triangles beside a loop of stores: printed
+  --samples     counts values that are not as promised, of tens of millions; fails when there is one
+
+The peers that shade triangles take part in --shading and --stores with `--features peers-3d`.
 ";
 
 /// What is measured.
@@ -51,6 +57,9 @@ cargo run --release -p lab -- [OPTIONS]
 enum What {
     Report,
     Plain,
+    Shading,
+    Stores,
+    Samples,
 }
 
 struct Options {
@@ -73,6 +82,9 @@ fn options() -> Result<Options> {
             Long("plots") => options.plots = true,
             Long("time-only") => options.count = false,
             Long("plain") => options.what = What::Plain,
+            Long("shading") => options.what = What::Shading,
+            Long("stores") => options.what = What::Stores,
+            Long("samples") => options.what = What::Samples,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
             Long("help") | Short('h') => {
@@ -146,6 +158,10 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("floods") => floods(quick).child(name),
         Some("memory") => memory(quick).child(name),
         Some("plain") => plain::child(name),
+        Some("gouraud") => shading::gouraud(quick).child(name),
+        Some("depth16") => shading::depth16(quick).child(name),
+        Some("depth32") => shading::depth32(quick).child(name),
+        Some("perspective") => shading::perspective(quick).child(name),
         _ => false,
     };
     if !known {
@@ -215,10 +231,7 @@ fn measure(options: &Options) -> Result<Report> {
 }
 
 fn write(report: &Report, folder: &Path, plots: bool) -> Result<()> {
-    std::fs::create_dir_all(folder).with_context(|| format!("making {}", folder.display()))?;
-    let page = folder.join("speed-and-error.md");
-    std::fs::write(&page, report.markdown(plots)).with_context(|| format!("writing {}", page.display()))?;
-    println!("{}", page.display());
+    write_page(&folder.join("speed-and-error.md"), &report.markdown(plots))?;
     if plots {
         let plot = |(results, axes): (&Results, &Axes)| {
             let file = folder.join(format!("speed-and-error-{}.svg", results.key));
@@ -246,16 +259,45 @@ fn main() -> Result<()> {
     if let Some(name) = &options.child {
         return child(name, options.quick);
     }
-    if options.what == What::Plain {
-        let counter = if options.count { Counter::find(options.quick) } else { None };
-        println!("{}", plain::report(counter.as_ref(), options.quick)?);
-        return Ok(());
+    let quick = options.quick;
+    let counter = || if options.count { Counter::find(quick) } else { None };
+    match options.what {
+        What::Report => write(&measure(&options)?, &folder(&options), options.plots || !quick),
+        What::Plain => {
+            println!("{}", plain::report(counter().as_ref(), quick)?);
+            Ok(())
+        }
+        What::Shading => {
+            let (page, folder) = (shading::page::measure(counter(), quick)?, folder(&options));
+            write_page(&folder.join("shading.md"), &page.markdown(options.plots || !quick))?;
+            if options.plots || !quick {
+                page.draw(&folder)?;
+            }
+            Ok(())
+        }
+        What::Stores => {
+            println!("{}", shading::stores::report(quick));
+            Ok(())
+        }
+        What::Samples => shading::samples::run(quick),
     }
-    let report = measure(&options)?;
-    let folder = match &options.out {
+}
+
+/// Where to write.
+fn folder(options: &Options) -> PathBuf {
+    match &options.out {
         Some(folder) => folder.clone(),
         None if options.quick => std::env::temp_dir().join("embedded-raster-lab"),
         None => Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("docs"),
-    };
-    write(&report, &folder, options.plots || !options.quick)
+    }
+}
+
+/// Writes a page, and says where.
+fn write_page(page: &Path, text: &str) -> Result<()> {
+    if let Some(folder) = page.parent() {
+        std::fs::create_dir_all(folder).with_context(|| format!("making {}", folder.display()))?;
+    }
+    std::fs::write(page, text).with_context(|| format!("writing {}", page.display()))?;
+    println!("{}", page.display());
+    Ok(())
 }

@@ -18,14 +18,14 @@ const FONT: &str = "sans-serif";
 /// What is to the right and upwards.
 pub(crate) struct Axes {
     /// Whose cost it is, of a cell.
-    per: &'static str,
-    instructions: fn(&Cell) -> Option<f64>,
-    nanoseconds: fn(&Cell) -> f64,
-    unit: &'static str,
-    error: fn(&Cell) -> f64,
+    pub(crate) per: &'static str,
+    pub(crate) instructions: fn(&Cell) -> Option<f64>,
+    pub(crate) nanoseconds: fn(&Cell) -> f64,
+    pub(crate) unit: &'static str,
+    pub(crate) error: fn(&Cell) -> f64,
     /// Errors below are drawn on this line, which is labelled 0.
-    none: f64,
-    most: f64,
+    pub(crate) none: f64,
+    pub(crate) most: f64,
 }
 
 /// Wrong pixels.

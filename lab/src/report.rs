@@ -50,7 +50,7 @@ fn thousands(value: u64) -> String {
 }
 
 /// A table: names of the columns, then of each row with its cells. Columns are padded, so that the text reads well too.
-fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String {
+pub(crate) fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String {
     let mut lines: Vec<Vec<String>> =
         vec![std::iter::once(first).chain(columns.iter().copied()).map(String::from).collect()];
     lines.extend(rows.iter().map(|(name, cells)| std::iter::once((*name).to_owned()).chain(cells.clone()).collect()));
@@ -72,13 +72,13 @@ fn table(first: &str, columns: &[&str], rows: &[(&str, Vec<String>)]) -> String 
 }
 
 /// A table of a family with one thing in each cell.
-fn family(results: &Results, show: impl Fn(&Cell) -> String) -> String {
+pub(crate) fn family(results: &Results, show: impl Fn(&Cell) -> String) -> String {
     let cells = |row: &crate::bench::Row| row.cells.iter().map(|c| c.as_ref().map_or("-".into(), &show)).collect();
     let rows: Vec<_> = results.rows.iter().map(|row| (row.name, cells(row))).collect();
     table(results.title, &results.workloads, &rows)
 }
 
-fn per_pixel(cell: &Cell) -> String {
+pub(crate) fn per_pixel(cell: &Cell) -> String {
     let time = format!("{:.2} ns", cell.nanoseconds_per_pixel());
     cell.instructions_per_pixel().map_or(time.clone(), |n| format!("{} ({time})", digits(n)))
 }
@@ -109,27 +109,27 @@ impl Covers {
 }
 
 /// The first line that a command prints.
-fn first_line(program: &str, arguments: &[&str]) -> Option<String> {
+pub(crate) fn first_line(program: &str, arguments: &[&str]) -> Option<String> {
     let run = Command::new(program).args(arguments).output().ok().filter(|run| run.status.success())?;
     String::from_utf8_lossy(&run.stdout).lines().next().map(|line| line.trim().to_owned())
 }
 
 /// The version of a package in the workspace's lock file.
-fn version(package: &str) -> &'static str {
+pub(crate) fn version(package: &str) -> &'static str {
     let lock = include_str!("../../Cargo.lock");
     let entry = lock.split("[[package]]").find(|e| e.contains(&format!("name = \"{package}\"\n")));
     entry.and_then(|e| e.split("version = \"").nth(1)?.split('"').next()).unwrap_or("?")
 }
 
 /// The commit, and whether the sources differ from it.
-fn commit() -> String {
+pub(crate) fn commit() -> String {
     let Some(commit) = first_line("git", &["rev-parse", "--short=10", "HEAD"]) else { return "not in git".into() };
     let clean = Command::new("git").args(["diff", "--quiet", "HEAD", "--", "src", "lab"]).status();
     format!("{commit}{}", if clean.is_ok_and(|s| s.success()) { "" } else { " with changes" })
 }
 
 /// The processor and its load, where Linux says them: times mean something on it only, and little while it is busy.
-fn processor() -> String {
+pub(crate) fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, name)| name));
     let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();

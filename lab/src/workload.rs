@@ -57,7 +57,7 @@ fn somewhere(rng: &mut Rng, margin: f64) -> (f64, f64) {
 }
 
 /// How many shapes the error is judged on.
-fn judged(full: usize, quick: bool) -> usize {
+pub(crate) fn judged(full: usize, quick: bool) -> usize {
     if quick {
         full / 20 + 1
     } else {

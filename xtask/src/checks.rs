@@ -35,7 +35,7 @@ pub fn check() -> Result<()> {
 }
 
 /// [`check`], with all tests in every build, the probe with overflow checks and without, and all proofs and frames on every chip at
-/// every opt-level; the budgets of builds for a processor; the lab.
+/// every opt-level; the budgets of builds for a processor; the lab, which also counts shaded values that are not as promised.
 pub fn full() -> Result<()> {
     let start = Instant::now();
     quick(&[&[]], 100, Columns::All, Proofs::All)?;
@@ -55,6 +55,7 @@ pub fn full() -> Result<()> {
         })?;
     }
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;
+    cargo_step("shaded values", &["run", "--release", "--package", "lab", "--", "--samples"])?;
     passed(start);
     Ok(())
 }

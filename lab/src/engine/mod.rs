@@ -53,7 +53,7 @@ impl<S, D> Entry<S, D> {
     }
 }
 
-fn entry<S, D>(
+pub(crate) fn entry<S, D>(
     key: &'static str,
     name: &'static str,
     origin: Origin,
