@@ -166,8 +166,10 @@ once, and values are taken at centres. Levels that an error takes out of their r
 product and a sum in one, 1 for the rest; it leaves out that a result costs a cycle more when the next instruction asks for it.\n\
 - euc multiplies and adds in one step, which without `-C target-cpu` is a call of a function. It takes all pixels of the box.\n\
 - retrofire-core is called behind its clipping, so what leaves the screen is not for it. Its depths are `f32`, the nearest the \
-largest: here 2^32 less the depth, which has 24 bits.\n\
-- embedded-3dgfx joins whole pixels: its corners are moved by up to a pixel, and its values with them. Its rows end where they \
-should, and their last pixel is painted too.\n\
+largest: here 2^16 or 2^32 less the depth.\n\
+- embedded-3dgfx joins whole pixels: its corners are moved by up to a pixel, and its values with them, and it paints the sides \
+too. What its depths gain from pixel to pixel has 16 bits, so it sits out those of 32.\n\
 - A depth in `f32` has 24 bits.\n\
+- Places in a texture are rounded to 1/65,536 texel in this crate: so one that lies just before a texel may be taken for its \
+beginning. Runs are cut in halves where w changes much along them, here those of 32 pixels to 16.\n\
 - To count without the lab: `valgrind --tool=callgrind --toggle-collect='*measured*' target/release/lab --child gouraud/exact/0`.\n";

@@ -47,18 +47,21 @@ use crate::{
 
 pub(super) fn all() -> Peers {
     let entries = |kind: Kind, depth_bits: u32| -> Ways {
-        let mut retro = entry("retrofire", "retrofire-core", Origin::Peer, Retro::new(kind));
+        let mut retro = entry("retrofire", "retrofire-core", Origin::Peer, Retro::new(kind, depth_bits));
         // Its rows must lie on its buffer.
         retro.can_hard = false;
         vec![
             entry("euc", "euc", Origin::Peer, Euc::new(kind)),
             retro,
-            entry("3dgfx", "embedded-3dgfx", Origin::Peer, Embedded::new(kind, depth_bits)),
+            entry("3dgfx", "embedded-3dgfx", Origin::Peer, Embedded::new(kind)),
         ]
     };
-    let depths = |bits| entries(Kind::Depth, bits);
-    let (gouraud, perspective) = (entries(Kind::Levels, 32), entries(Kind::Texels, 32));
-    Peers { gouraud, depth16: depths(16), depth32: depths(32), perspective }
+    let (gouraud, depth16, perspective) =
+        (entries(Kind::Levels, 16), entries(Kind::Depth, 16), entries(Kind::Texels, 16));
+    let mut depth32 = entries(Kind::Depth, 32);
+    // What its depths gain from pixel to pixel has 16 bits before the point.
+    depth32.retain(|entry| entry.key != "3dgfx");
+    Peers { gouraud, depth16, depth32, perspective }
 }
 
 /// Everybody's pixel of three levels.
@@ -190,6 +193,8 @@ fn number(depth: f32) -> u32 {
 /// Depths are kept as what is larger the nearer it is.
 struct Retro {
     kind: Kind,
+    /// Above all depths.
+    farthest: f32,
     frame: Framebuf<Colorbuf<Buf2<u16>, pixfmt::Rgb565>, Buf2<f32>>,
     /// Texels would not fit into 16 bits by way of 8 for each channel.
     wide: Colorbuf<Buf2<u32>, pixfmt::Xrgb8888>,
@@ -198,26 +203,24 @@ struct Retro {
 
 /// Where nothing is.
 const NOWHERE: f32 = f32::NEG_INFINITY;
-/// Above all depths.
-const FARTHEST: f32 = 4_294_967_296.0;
 
 impl Retro {
-    fn new(kind: Kind) -> Self {
+    fn new(kind: Kind, depth_bits: u32) -> Self {
         let size = Dims(WIDTH as u32, HEIGHT as u32);
         let color_buf = Colorbuf::new(Buf2::new_with(size, |_, _| u16::MAX));
         let frame = Framebuf { color_buf, depth_buf: Buf2::new_with(size, |_, _| NOWHERE) };
         let wide = Colorbuf::new(Buf2::new_with(size, |_, _| UNPAINTED));
         let side = 1 << TEXTURE;
         let texture = Buf2::new_with(Dims(side, side), |x, y| rgba(0, y as u8, x as u8, 255)).into();
-        Self { kind, frame, wide, texture }
+        Self { kind, farthest: (1_u64 << depth_bits) as f32, frame, wide, texture }
     }
 
     /// Levels in the middle of what becomes them when bits are cut off.
-    fn levels(corner: &Corner) -> Vertex<ScreenPt, Color3f> {
+    fn levels(&self, corner: &Corner) -> Vertex<ScreenPt, Color3f> {
         let [x, y] = corner.at.map(|n| n as f32 / 256.0);
         let [r, g, b] = corner.levels.map(|n| n as f32);
         let color = rgb((8.0 * r + 4.0) / 256.0, (4.0 * g + 2.0) / 256.0, (8.0 * b + 4.0) / 256.0);
-        vertex(pt3(x, y, FARTHEST - corner.depth as f32), color)
+        vertex(pt3(x, y, self.farthest - corner.depth as f32), color)
     }
 
     fn place(corner: &Corner) -> Vertex<ScreenPt, TexCoord> {
@@ -248,9 +251,13 @@ impl Engine<Shaded, Drawn> for Retro {
         for Shaded { corners, .. } in shapes {
             match self.kind {
                 Kind::Levels => {
-                    rasterize(corners.each_ref().map(Self::levels), &mut self.frame.color_buf, &color, &context);
+                    let corners = corners.each_ref().map(|corner| self.levels(corner));
+                    rasterize(corners, &mut self.frame.color_buf, &color, &context);
                 }
-                Kind::Depth => rasterize(corners.each_ref().map(Self::levels), &mut self.frame, &color, &context),
+                Kind::Depth => {
+                    let corners = corners.each_ref().map(|corner| self.levels(corner));
+                    rasterize(corners, &mut self.frame, &color, &context);
+                }
                 Kind::Texels => {
                     let texture = &self.texture;
                     let color = |frag: Frag<TexCoord>, ()| sampler.sample_abs(texture, frag.var);
@@ -270,7 +277,8 @@ impl Engine<Shaded, Drawn> for Retro {
         match self.kind {
             Kind::Levels => read(self.frame.color_buf.buf.data().iter().copied()),
             Kind::Depth => {
-                let depth = |&nearness: &f32| if nearness == NOWHERE { f32::INFINITY } else { FARTHEST - nearness };
+                let depth =
+                    |&nearness: &f32| if nearness == NOWHERE { f32::INFINITY } else { self.farthest - nearness };
                 self.frame.depth_buf.data().iter().map(|nearness| number(depth(nearness))).collect()
             }
             Kind::Texels => self.wide.buf.data().to_vec(),
@@ -304,8 +312,6 @@ impl OriginDimensions for Pixels {
 
 struct Embedded {
     kind: Kind,
-    /// Its depths have 32 bits. Those of 16 are whole numbers before 16 bits of fraction.
-    depth_bits: u32,
     frame: Pixels,
     depths: Vec<u32>,
     textures: TextureManager<1>,
@@ -313,20 +319,13 @@ struct Embedded {
 }
 
 impl Embedded {
-    fn new(kind: Kind, depth_bits: u32) -> Self {
+    fn new(kind: Kind) -> Self {
         let side = 1 << TEXTURE;
         let texels: &'static [Rgb565] =
             texels().into_iter().map(|texel| RawU16::new(texel).into()).collect::<Vec<_>>().leak();
         let mut textures = TextureManager::new();
         let texture = textures.add_texture(Texture::new(texels, side, side)).expect("there is room for one");
-        Self {
-            kind,
-            depth_bits,
-            frame: Pixels(vec![u16::MAX; PIXELS]),
-            depths: vec![u32::MAX; PIXELS],
-            textures,
-            texture,
-        }
+        Self { kind, frame: Pixels(vec![u16::MAX; PIXELS]), depths: vec![u32::MAX; PIXELS], textures, texture }
     }
 
     fn primitive(&self, corners: &Triangle) -> DrawPrimitive {
@@ -335,8 +334,8 @@ impl Embedded {
             let [r, g, b] = c.levels.map(|n| n as u8);
             Rgb565::new(r, g, b)
         });
-        let unit = if self.depth_bits == 16 { 1.0 } else { 65_536.0 };
-        let depths = corners.each_ref().map(|c| c.depth as f32 / unit);
+        // They are kept with 16 bits of fraction, which are all that is used here, and cut off behind that.
+        let depths = corners.each_ref().map(|c| (c.depth as f32 + 0.5) / 65_536.0);
         let side = (1 << TEXTURE) as f32;
         match self.kind {
             Kind::Levels => DrawPrimitive::GouraudTriangle { points, colors },
@@ -382,10 +381,6 @@ impl Engine<Shaded, Drawn> for Embedded {
 
     fn painted(&self) -> Drawn {
         match self.kind {
-            Kind::Depth if self.depth_bits == 16 => {
-                let whole = |&n: &u32| if n == u32::MAX { UNPAINTED } else { (n >> 16) + (n >> 15 & 1) };
-                self.depths.iter().map(whole).collect()
-            }
             Kind::Depth => self.depths.clone(),
             _ => read(self.frame.0.iter().copied()),
         }
