@@ -11,7 +11,7 @@ use fixed::types::I24F8;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Facet, Path, PathSegment, Plane, PointFx, Varying},
+    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, Plane, PointFx, Segments, Varying},
     paint::{Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
@@ -37,7 +37,7 @@ use crate::{
 /// **Pixels and places.** A method with a plain name takes pixels: a [`Point`] names one, and so do its column and row, `(x, y)`;
 /// a [`Rect`] or a `Rectangle` of embedded-graphics is a box of them. The corners of a filled triangle or polygon are the centres
 /// of these pixels. A method whose name ends in `_fx` takes places on the plane, to 1/256 of a pixel: a [`PointFx`], or a shape
-/// made of such places, as [`Path`] and [`Ellipse`] are. It takes no pixels: whether the corner of a pixel is meant, as
+/// made of such places, as [`Path`](crate::Path) and [`Ellipse`] are. It takes no pixels: whether the corner of a pixel is meant, as
 /// [`PointFx::px`] has it, or its centre, as [`PointFx::from`] has it, makes half a pixel of difference, and the call shows it.
 ///
 /// **Arguments.** First the shape, then options, then scratch memory, then the colour of all its pixels. Any other [`Paint`]
@@ -493,7 +493,7 @@ pub trait Canvas: Surface {
 
     /// Draws the outline of a path, one pixel wide: see [`outline`](crate::raster::outline) for which pixels.
     #[inline]
-    fn draw_path_fx(&mut self, path: Path<'_>, color: Self::Color) {
+    fn draw_path_fx(&mut self, path: impl IntoIterator<IntoIter = impl Segments>, color: Self::Color) {
         in_color(self, color, |window, brush| outline::draw(path, window, brush));
     }
 
@@ -514,12 +514,12 @@ pub trait Canvas: Surface {
     #[inline]
     fn fill_path_fx(
         &mut self,
-        path: Path<'_>,
+        path: impl IntoIterator<IntoIter = impl Segments>,
         rule: FillRule,
         table: &mut [EdgeSlot],
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
-        in_color(self, color, |window, brush| polygon::fill(path.contours_in(window), rule, table, window, brush))
+        in_color(self, color, |window, brush| polygon::fill(Contours::within(path, window), rule, table, window, brush))
     }
 
     /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.
@@ -537,14 +537,14 @@ pub trait Canvas: Surface {
     #[doc(alias("bezier", "curve"))]
     #[inline]
     fn draw_quadratic_fx(&mut self, [a, c, b]: [PointFx; 3], color: Self::Color) {
-        self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)]), color);
+        self.draw_path_fx([PathSegment::MoveTo(a), PathSegment::QuadraticTo(c, b)], color);
     }
 
     /// Draws a cubic Bézier curve one pixel wide: start, two control points, end.
     #[doc(alias("bezier", "curve", "spline"))]
     #[inline]
     fn draw_cubic_fx(&mut self, [a, c, d, b]: [PointFx; 4], color: Self::Color) {
-        self.draw_path_fx(Path::new(&[PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)]), color);
+        self.draw_path_fx([PathSegment::MoveTo(a), PathSegment::CubicTo(c, d, b)], color);
     }
 
     /// Draws the outline of a path with a width: see [`stroke`](crate::raster::stroke).
@@ -555,7 +555,7 @@ pub trait Canvas: Surface {
     #[inline]
     fn stroke_path_fx<D: Dashing>(
         &mut self,
-        path: Path<'_>,
+        path: impl IntoIterator<IntoIter = impl Segments>,
         stroke: &Stroke<D>,
         table: &mut [EdgeSlot],
         color: Self::Color,

@@ -220,7 +220,7 @@ calls! {
     contours_in => sum(path.contours_in(window).map(sum));
     outlines => path.outlines::<50, 2>().map(|outlines| outlines.vertices.len());
     [Contours]
-    next => { let mut contours: Contours = path.contours(); contours.next().map(|contour| contour.is_closed()) };
+    next => { let mut contours: Contours<_> = path.contours(); contours.next().map(|contour| contour.is_closed()) };
     [Contour]
     next => path.contours_in(window).next().and_then(|mut contour| contour.next());
     is_closed => path.contours_in(window).next().map(|contour| contour.is_closed());

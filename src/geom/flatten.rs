@@ -58,7 +58,7 @@
 //!
 //! Sources: G. Farin, "Curves and Surfaces for CAGD", 1988 (halving, chords, second differences).
 
-use core::{num::NonZeroU32, slice::Iter};
+use core::{iter::Copied, num::NonZeroU32, slice::Iter};
 
 use super::{
     path::{Path, PathSegment},
@@ -84,71 +84,103 @@ const TIME_BITS: u32 = 20;
 /// The time at the end of a curve.
 const END: u32 = 1 << TIME_BITS;
 
+/// What a path can be made of: an iterator over segments that can be gone over again, such as that of a [`Path`], of an array, of
+/// or of what a program computes.
+///
+/// It says `None` again behind its end, as iterators usually do.
+pub trait Segments: Iterator<Item = PathSegment> + Clone {}
+
+impl<I: Iterator<Item = PathSegment> + Clone> Segments for I {}
+
+/// The segments of a [`Path`].
+pub type Slice<'a> = Copied<Iter<'a, PathSegment>>;
+
 impl<'a> Path<'a> {
     /// Its contours, one after the other; each is an iterator over vertices. A move that nothing follows is no contour.
     #[inline]
-    pub const fn contours(self) -> Contours<'a> {
-        Contours { rest: self.segments(), start: PointFx::from_bits(0, 0), view: View::ALL }
+    pub fn contours(self) -> Contours<Slice<'a>> {
+        Contours::new(self)
+    }
+
+    /// The contours for a fill of which only `window` is seen: see [`Contours::within`].
+    #[inline]
+    pub fn contours_in(self, window: Rect) -> Contours<Slice<'a>> {
+        Contours::within(self, window)
+    }
+}
+
+impl<I: Segments> Contours<I> {
+    /// The contours of any path, one after the other.
+    /// ```
+    /// use embedded_raster::{geom::Contours, PathSegment::*, PointFx};
+    /// let zigzag = (0..5).map(|i| if i == 0 { MoveTo(PointFx::px(0, 0)) } else { LineTo(PointFx::px(i, i & 1)) });
+    /// let lengths: Vec<usize> = Contours::new(zigzag).map(|contour| contour.count()).collect();
+    /// assert_eq!(lengths, [5]);
+    /// ```
+    #[inline]
+    pub fn new(path: impl IntoIterator<IntoIter = I>) -> Self {
+        Self { rest: path.into_iter(), start: PointFx::from_bits(0, 0), view: View::ALL }
     }
 
     /// The contours for a fill of which only `window` is seen. It has the same pixels there with fewer vertices: curves
     /// beside the window are not followed, so the number of vertices depends on the window and not on the size of the
     /// curves.
     #[inline]
-    pub fn contours_in(self, window: Rect) -> Contours<'a> {
-        Contours { view: View::of(window, 0), ..self.contours() }
+    pub fn within(path: impl IntoIterator<IntoIter = I>, window: Rect) -> Self {
+        Self { view: View::of(window, 0), ..Self::new(path) }
     }
 
     /// The contours for something that is drawn up to `reach` units (1/256 pixel) around them, of which only `window`
     /// is seen.
     #[inline]
-    pub(crate) fn contours_near(self, window: Rect, reach: u32) -> Contours<'a> {
-        Contours { view: View::of(window, reach), ..self.contours() }
+    pub(crate) fn near(path: impl IntoIterator<IntoIter = I>, window: Rect, reach: u32) -> Self {
+        Self { view: View::of(window, reach), ..Self::new(path) }
     }
 }
 
-/// The contours of a [`Path`].
+/// The contours of a path.
 #[derive(Clone, Debug)]
-pub struct Contours<'a> {
-    rest: &'a [PathSegment],
+pub struct Contours<I> {
+    rest: I,
     /// Where a contour without a move starts.
     start: PointFx,
     view: View,
 }
 
-impl<'a> Iterator for Contours<'a> {
-    type Item = Contour<'a>;
+impl<I: Segments> Iterator for Contours<I> {
+    type Item = Contour<I>;
 
     #[inline(never)]
-    fn next(&mut self) -> Option<Contour<'a>> {
-        while let [PathSegment::MoveTo(start), rest @ ..] = self.rest {
-            (self.start, self.rest) = (*start, rest);
+    fn next(&mut self) -> Option<Contour<I>> {
+        let mut segments = self.rest.clone();
+        while let Some(PathSegment::MoveTo(start)) = self.rest.next() {
+            (self.start, segments) = (start, self.rest.clone());
         }
+        self.rest = segments.clone();
         let (mut len, mut closed) = (0_usize, false);
-        for segment in self.rest {
-            match segment {
-                PathSegment::MoveTo(_) => break,
-                PathSegment::Close => closed = true,
-                _ => {}
+        while !closed {
+            let mut rest = self.rest.clone();
+            match rest.next() {
+                None | Some(PathSegment::MoveTo(_)) => break,
+                Some(segment) => closed = matches!(segment, PathSegment::Close),
             }
+            self.rest = rest;
             len = len.wrapping_add(1);
-            if closed {
-                break;
-            }
         }
-        let (segments, rest) = self.rest.split_at_checked(len).filter(|_| len > 0)?;
-        self.rest = rest;
-        Some(Contour::new(self.start, segments, closed, self.view))
+        (len > 0).then(|| Contour::new(self.start, segments, len, closed, self.view))
     }
 }
 
-/// The vertices of one contour of a [`Path`], from its start on. Where the contour is closed, the start does not come
+/// The vertices of one contour of a path, from its start on. Where the contour is closed, the start does not come
 /// again.
 #[derive(Clone, Debug)]
-pub struct Contour<'a> {
+pub struct Contour<I> {
     start: Option<PointFx>,
     at: PointFx,
-    segments: Iter<'a, PathSegment>,
+    /// Its segments, and what follows them.
+    segments: I,
+    /// How many of them are its own.
+    left: usize,
     curve: Option<Bezier>,
     closed: bool,
     view: View,
@@ -161,10 +193,16 @@ pub(crate) struct Knot {
     pub(crate) smooth: bool,
 }
 
-impl<'a> Contour<'a> {
+impl<I: Segments> Contour<I> {
     #[inline]
-    pub(super) fn new(start: PointFx, segments: &'a [PathSegment], closed: bool, view: View) -> Self {
-        Self { start: Some(start), at: start, segments: segments.iter(), curve: None, closed, view }
+    fn new(start: PointFx, segments: I, left: usize, closed: bool, view: View) -> Self {
+        Self { start: Some(start), at: start, segments, left, curve: None, closed, view }
+    }
+
+    #[inline]
+    fn next_segment(&mut self) -> Option<PathSegment> {
+        self.left = self.left.checked_sub(1)?;
+        self.segments.next()
     }
 
     /// Whether it ends with [`PathSegment::Close`]. A fill closes every contour.
@@ -182,7 +220,7 @@ impl<'a> Contour<'a> {
     /// The same up to the last part of it that a view may show. What comes behind is left out, and with it the closing side. A
     /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
     #[inline]
-    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<'a> {
+    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<I> {
         let contour = if everywhere { Self { view: View::ALL, ..self } } else { self };
         let mut front = Front { contour, view, until: None };
         front.leave_out(hides_corner);
@@ -199,7 +237,7 @@ impl<'a> Contour<'a> {
                 return Some(knot);
             }
             let from = self.at;
-            self.at = match *self.segments.next()? {
+            self.at = match self.next_segment()? {
                 PathSegment::LineTo(to) => {
                     self.at = to;
                     return Some(Knot { at: to, smooth: false });
@@ -220,23 +258,22 @@ impl<'a> Contour<'a> {
 
 /// The front of a contour, up to the last part that a view may show.
 #[derive(Clone, Debug)]
-pub(crate) struct Front<'a> {
-    contour: Contour<'a>,
+pub(crate) struct Front<I> {
+    contour: Contour<I>,
     view: View,
     /// The end of the last part of the last curve that the view may show.
     until: Option<u32>,
 }
 
-impl Front<'_> {
+impl<I: Segments> Front<I> {
     /// Takes a few comparisons a segment.
     fn leave_out(&mut self, hides_corner: impl Fn(PointFx) -> bool) {
         let contour = &mut self.contour;
         let (start, mut at) = (contour.at, contour.at);
         let (mut count, mut seen) = (0_usize, 0);
-        let segments = contour.segments.as_slice();
-        for segment in segments {
+        for segment in contour.segments.clone().take(contour.left) {
             count = count.wrapping_add(1);
-            let (c, d, to) = match *segment {
+            let (c, d, to) = match segment {
                 PathSegment::LineTo(to) => (to, to, to),
                 PathSegment::QuadraticTo(c, to) => (c, c, to),
                 PathSegment::CubicTo(c, d, to) => (c, d, to),
@@ -247,9 +284,9 @@ impl Front<'_> {
             }
             at = to;
         }
-        if seen < segments.len() {
+        if seen < contour.left {
             contour.closed = false;
-            contour.segments = segments.get(..seen).unwrap_or_default().iter();
+            contour.left = seen;
         }
         if seen == 0 {
             contour.start = None;
@@ -258,7 +295,7 @@ impl Front<'_> {
 
     #[inline(never)]
     pub(crate) fn next_knot(&mut self) -> Option<Knot> {
-        let is_last = self.contour.segments.as_slice().is_empty();
+        let is_last = self.contour.left == 0;
         if let Some(curve) = self.contour.curve.as_ref().filter(|curve| is_last && curve.part.done == curve.part.pieces)
         {
             let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view));
@@ -271,7 +308,7 @@ impl Front<'_> {
 
     /// Whether it ends with [`PathSegment::Close`], and that is not left out.
     #[inline]
-    pub(crate) const fn is_closed(&self) -> bool {
+    pub(crate) fn is_closed(&self) -> bool {
         self.contour.is_closed()
     }
 
@@ -282,7 +319,7 @@ impl Front<'_> {
     }
 }
 
-impl Iterator for Contour<'_> {
+impl<I: Segments> Iterator for Contour<I> {
     type Item = PointFx;
 
     #[inline]

@@ -34,7 +34,7 @@ mod viewport;
 
 pub use angle::Angle;
 pub use facet::{Barycentric, Facet};
-pub use flatten::Contours;
+pub use flatten::{Contours, Segments};
 pub use mix::{At, Mix};
 pub use outlines::Outlines;
 pub use path::{Path, PathSegment};

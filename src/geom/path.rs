@@ -8,9 +8,12 @@
 //!      .  .-.  .                  . /       \ .       stays inside the hull of all of them
 //!    a--'     '--b                a           b
 //! ```
-//! A path is a slice in the caller's memory. Its contours, and the vertices of each, are computed while somebody
+//! A [`Path`] is a slice in the caller's memory. Functions that draw paths take any iterator over segments that can be gone over
+//! again, as that of an array or of what a program computes. Contours, and the vertices of each, are computed while somebody
 //! iterates over them, and nothing is stored; [`Path::outlines`] writes them down. How curves are cut into lines, and
 //! how close the lines are to the curves, is explained in [`flatten`](super::flatten).
+
+use core::{iter::Copied, slice::Iter};
 
 use super::point::PointFx;
 
@@ -58,5 +61,15 @@ impl<'a> Path<'a> {
     #[inline]
     pub const fn segments(self) -> &'a [PathSegment] {
         self.segments
+    }
+}
+
+impl<'a> IntoIterator for Path<'a> {
+    type Item = PathSegment;
+    type IntoIter = Copied<Iter<'a, PathSegment>>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.segments.iter().copied()
     }
 }

@@ -24,7 +24,7 @@
 use core::num::NonZeroU32;
 
 use crate::{
-    geom::{bits, Path, PathSegment, PointFx, View},
+    geom::{bits, Contours, PathSegment, PointFx, Segments, View},
     num::{
         cast::{signed, unsigned},
         round::{div_rem_wide, first_centre_after, first_centre_from},
@@ -58,7 +58,7 @@ const MARGIN: i32 = 4;
 ///     "#.........#",
 /// ]);
 /// ```
-pub fn draw(path: Path<'_>, window: Rect, sink: impl Sink) {
+pub fn draw(path: impl IntoIterator<IntoIter = impl Segments>, window: Rect, sink: impl Sink) {
     if window.is_empty() {
         return;
     }
@@ -66,7 +66,7 @@ pub fn draw(path: Path<'_>, window: Rect, sink: impl Sink) {
     let view = View::of(window, reach);
     let run = Span { y: 0, x0: 0, x1: 0 };
     let mut trace = Trace { window, sink, way: None, end: None, before: None, last: None, bent: false, run };
-    for mut contour in path.contours_near(window, reach) {
+    for mut contour in Contours::near(path, window, reach) {
         let closed = contour.is_closed();
         let Some(start) = contour.next() else { continue };
         trace.start(start);
@@ -83,19 +83,21 @@ pub fn draw(path: Path<'_>, window: Rect, sink: impl Sink) {
 
 /// A box that encloses a path: the pixels that its ends and control points lie in, and all between them. It holds the outline
 /// and the filled path; what a stroke of it may cover [`stroke::extent`](super::stroke::extent) tells.
-pub fn extent(path: Path<'_>) -> Rect {
+pub fn extent(path: impl IntoIterator<Item = PathSegment>) -> Rect {
     let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
     let mut hold = |place: PointFx| {
         let (x, y) = bits(place);
         low = (low.0.min(x >> 8), low.1.min(y >> 8));
         high = (high.0.max(x >> 8), high.1.max(y >> 8));
     };
-    // A path that does not begin with a move begins at (0, 0).
-    if !matches!(path.segments(), [] | [PathSegment::MoveTo(_), ..]) {
-        hold(PointFx::from_bits(0, 0));
-    }
-    for segment in path.segments() {
-        match *segment {
+    let mut is_first = true;
+    for segment in path {
+        // A path that does not begin with a move begins at (0, 0).
+        if is_first && !matches!(segment, PathSegment::MoveTo(_)) {
+            hold(PointFx::from_bits(0, 0));
+        }
+        is_first = false;
+        match segment {
             PathSegment::MoveTo(a) | PathSegment::LineTo(a) => hold(a),
             PathSegment::QuadraticTo(c, a) => [c, a].into_iter().for_each(&mut hold),
             PathSegment::CubicTo(c, d, a) => [c, d, a].into_iter().for_each(&mut hold),
@@ -367,7 +369,7 @@ impl<S: Sink> Trace<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{num::tally, span::ClippedSpan};
+    use crate::{geom::Path, num::tally, span::ClippedSpan};
     use std::{vec, vec::Vec};
     use twins::rng::Rng;
 

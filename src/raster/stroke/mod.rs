@@ -50,7 +50,7 @@ use super::{
 };
 use crate::{
     error::EdgeTableFull,
-    geom::{fill_rule::FillRule, Path, PointFx},
+    geom::{fill_rule::FillRule, Contours, PathSegment, PointFx, Segments},
     num::cast::signed,
     span::{Rect, Sink},
 };
@@ -63,13 +63,14 @@ use crate::{
 /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing was emitted then.
 #[inline]
 pub fn fill<D: Dashing>(
-    path: Path<'_>,
+    path: impl IntoIterator<IntoIter = impl Segments>,
     stroke: &Stroke<D>,
     table: &mut [EdgeSlot],
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    polygon::fill_bands(|band| stroke.of_path(path, band), FillRule::NonZero, table, window, sink)
+    let segments = path.into_iter();
+    polygon::fill_bands(|band| stroke.of_path(segments.clone(), band), FillRule::NonZero, table, window, sink)
 }
 
 /// Emits the spans of stroked lines: from each place to the next, and back to the first one if they are `closed`.
@@ -89,7 +90,7 @@ pub fn fill_polyline<D: Dashing>(
 }
 
 /// A box that encloses the pixels of a stroked path: that of the path, with as much around it as a join or a cap may reach.
-pub fn extent<D>(path: Path<'_>, stroke: &Stroke<D>) -> Rect {
+pub fn extent<D>(path: impl IntoIterator<Item = PathSegment>, stroke: &Stroke<D>) -> Rect {
     let Rect { x0, y0, x1, y1 } = outline::extent(path);
     if x0 >= x1 {
         return Rect::default();
@@ -107,9 +108,12 @@ pub fn extent<D>(path: Path<'_>, stroke: &Stroke<D>) -> Rect {
 impl<D: Dashing> Stroke<D> {
     /// The pieces of a stroked path that `window` may show, as closed contours for [`polygon::fill`](super::polygon::fill)
     /// by [`NonZero`](crate::FillRule::NonZero).
-    pub fn of_path(self, path: Path<'_>, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<'_, D> {
+    pub fn of_path<P>(self, path: P, window: Rect) -> impl Iterator<Item = Piece> + Clone + use<P, D>
+    where
+        P: IntoIterator<IntoIter: Segments>,
+    {
         let pen = Pen::new(&self, window);
-        let contours = path.contours_near(window, pen.reach);
+        let contours = Contours::near(path, window, pen.reach);
         let cut = self.dash.ready(pen.width);
         let stroke = move |contour| cut.pieces(contour, pen);
         OneByOne { contours, stroke, parts: None }

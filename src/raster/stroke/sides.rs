@@ -8,7 +8,7 @@ use super::{
 };
 use crate::geom::{
     flatten::{Contour, Front, Knot},
-    PointFx,
+    PointFx, Segments,
 };
 
 /// Something that is a list of places.
@@ -24,7 +24,7 @@ pub trait Outline: Clone {
     fn front(self, sight: Sight, everywhere: bool) -> impl Outline;
 }
 
-impl Outline for Contour<'_> {
+impl<I: Segments> Outline for Contour<I> {
     #[inline]
     fn next_place(&mut self) -> Option<(PointFx, bool)> {
         self.next_knot().map(|Knot { at, smooth }| (at, smooth))
@@ -46,7 +46,7 @@ impl Outline for Contour<'_> {
     }
 }
 
-impl Outline for Front<'_> {
+impl<I: Segments> Outline for Front<I> {
     #[inline]
     fn next_place(&mut self) -> Option<(PointFx, bool)> {
         self.next_knot().map(|Knot { at, smooth }| (at, smooth))

@@ -7,7 +7,10 @@ use twins::rng::Rng;
 
 use super::*;
 use crate::{
-    geom::PathSegment::{self, CubicTo, LineTo, MoveTo, QuadraticTo},
+    geom::{
+        Path,
+        PathSegment::{self, CubicTo, LineTo, MoveTo, QuadraticTo},
+    },
     num::tally,
     span::ClippedSpan,
 };
