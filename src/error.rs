@@ -3,7 +3,8 @@
 //! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface
 //! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
 //! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
-//! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]).
+//! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), SVG path
+//! data that makes no sense ([`SvgError`]).
 //! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
@@ -153,6 +154,36 @@ pub struct TriangleTooLarge {
     pub most: u32,
 }
 
+/// SVG path data that makes no sense: see [`Path::svg`](crate::Path::svg).
+/// ```
+/// use embedded_raster::Path;
+/// let error = Path::svg("M4 4 L20").unwrap_err();
+/// assert_eq!(error.to_string(), "position 8: a number is expected");
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SvgError {
+    /// Bytes before what is wrong.
+    pub position: usize,
+    /// What should be there.
+    pub expected: SvgExpected,
+}
+
+/// What should be where an [`SvgError`] is.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SvgExpected {
+    /// `M` or `m`: all paths begin with a move.
+    Move,
+    /// One of the letters of commands.
+    Command,
+    /// A number.
+    Number,
+    /// `0` or `1`, the flags of an arc.
+    Flag,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -170,6 +201,8 @@ pub enum Error {
     CrossingList(CrossingListFull),
     /// A triangle is too large to be shaded.
     Triangle(TriangleTooLarge),
+    /// SVG path data makes no sense.
+    Svg(SvgError),
 }
 
 impl fmt::Display for BufferError {
@@ -245,6 +278,18 @@ impl fmt::Display for TriangleTooLarge {
     }
 }
 
+impl fmt::Display for SvgError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let expected = match self.expected {
+            SvgExpected::Move => "a path begins with M",
+            SvgExpected::Command => "a command is expected",
+            SvgExpected::Number => "a number is expected",
+            SvgExpected::Flag => "a flag is expected, 0 or 1",
+        };
+        write!(f, "position {}: {expected}", self.position)
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -254,6 +299,7 @@ impl fmt::Display for Error {
             Self::Flatten(error) => error.fmt(f),
             Self::CrossingList(error) => error.fmt(f),
             Self::Triangle(error) => error.fmt(f),
+            Self::Svg(error) => error.fmt(f),
         }
     }
 }
@@ -264,6 +310,7 @@ impl core::error::Error for TriangulateError {}
 impl core::error::Error for FlattenError {}
 impl core::error::Error for CrossingListFull {}
 impl core::error::Error for TriangleTooLarge {}
+impl core::error::Error for SvgError {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -299,5 +346,11 @@ impl From<CrossingListFull> for Error {
 impl From<TriangleTooLarge> for Error {
     fn from(error: TriangleTooLarge) -> Self {
         Self::Triangle(error)
+    }
+}
+
+impl From<SvgError> for Error {
+    fn from(error: SvgError) -> Self {
+        Self::Svg(error)
     }
 }

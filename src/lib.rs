@@ -21,13 +21,14 @@ mod tune;
 
 pub use canvas::Canvas;
 pub use error::{
-    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, TriangleTooLarge, TriangulateError,
+    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, SvgError, SvgExpected, TriangleTooLarge,
+    TriangulateError,
 };
 pub use geom::{
     fill_rule::FillRule,
     px,
     space::{Mat4, Patch, Vec3, Vec4},
-    Angle, Path, PathSegment, PointFx, Viewport,
+    Affine, Angle, Path, PathSegment, PointFx, Svg, Viewport,
 };
 pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};

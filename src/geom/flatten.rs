@@ -85,7 +85,7 @@ const TIME_BITS: u32 = 20;
 const END: u32 = 1 << TIME_BITS;
 
 /// What a path can be made of: an iterator over segments that can be gone over again, such as that of a [`Path`], of an array, of
-/// or of what a program computes.
+/// an [`Svg`](super::svg::Svg), or any of these [mapped](super::affine::Affine::path).
 ///
 /// It says `None` again behind its end, as iterators usually do.
 pub trait Segments: Iterator<Item = PathSegment> + Clone {}

@@ -12,6 +12,8 @@
 //! ```
 //! To make a place of a pixel is to take its centre: `PointFx::from(Point::new(2, 1))` is the middle of the square o.
 
+pub mod affine;
+pub mod arc;
 pub mod clip;
 pub mod delaunay;
 pub mod exact;
@@ -20,6 +22,7 @@ pub mod flatten;
 pub mod perspective;
 pub mod polygon;
 pub mod space;
+pub mod svg;
 pub mod triangulate;
 pub mod varying;
 
@@ -32,7 +35,9 @@ mod point;
 mod view;
 mod viewport;
 
+pub use affine::Affine;
 pub use angle::Angle;
+pub use arc::{Arc, Curves};
 pub use facet::{Barycentric, Facet};
 pub use flatten::{Contours, Segments};
 pub use mix::{At, Mix};
@@ -41,6 +46,7 @@ pub use path::{Path, PathSegment};
 pub use perspective::{Perspective, Runs};
 pub(crate) use point::bits;
 pub use point::{px, PointFx};
+pub use svg::Svg;
 pub use varying::{Fast, Plane, Varying};
 pub(crate) use view::View;
 pub use viewport::Viewport;

@@ -9,7 +9,8 @@
 //!    a--'     '--b                a           b
 //! ```
 //! A [`Path`] is a slice in the caller's memory. Functions that draw paths take any iterator over segments that can be gone over
-//! again, as that of an array or of what a program computes. Contours, and the vertices of each, are computed while somebody
+//! again: an array, the text of an [SVG path](super::svg), an [`Arc`](super::arc) behind other segments, all of them
+//! [mapped](super::affine), or whatever a program computes. Contours, and the vertices of each, are computed while somebody
 //! iterates over them, and nothing is stored; [`Path::outlines`] writes them down. How curves are cut into lines, and
 //! how close the lines are to the curves, is explained in [`flatten`](super::flatten).
 

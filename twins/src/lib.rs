@@ -17,6 +17,7 @@
     reason = "a panic is how a test fails"
 )]
 
+pub mod arcs;
 pub mod arguments;
 pub mod curves;
 pub mod frame;
