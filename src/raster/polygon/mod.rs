@@ -112,20 +112,34 @@ where
     if window.is_empty() || window.x1 <= -PLACES {
         return Ok(());
     }
+    let load = |band: Rect, table: &mut [EdgeSlot]| load(contours(band), band, table, EdgeSlot::put);
+    let scan = |table: &[EdgeSlot], band: &Loaded| scan(table, band, rule, window, &mut sink);
+    in_bands(load, table, window, &[false, true], scan)
+}
+
+/// Loads a table with the sides of a window, or of one band of it after the other, and scans each. If there are bands, they are
+/// gone through for each of `passes`, and scanned in those that are `true`: the first ones find out whether all can be loaded.
+#[inline(always)]
+fn in_bands(
+    load: impl Fn(Rect, &mut [EdgeSlot]) -> Loaded,
+    table: &mut [EdgeSlot],
+    window: Rect,
+    passes: &[bool],
+    mut scan: impl FnMut(&[EdgeSlot], &Loaded),
+) -> Result<(), EdgeTableFull> {
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
-    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| {
-        let band = Rect { y0, y1, ..window };
-        load(contours(band), band, table)
-    };
+    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| load(Rect { y0, y1, ..window }, table);
     let whole = load(window.y0, window.y1, table);
     if whole.count <= table.len() {
-        scan(table, &whole, rule, window, &mut sink);
+        if passes.last() == Some(&true) {
+            scan(table, &whole);
+        }
         return Ok(());
     }
     // Too many for one pass. First find out whether every band can be loaded, then paint them.
-    for paint in [false, true] {
+    for &paint in passes {
         let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
         let mut count = whole.count;
         while y < whole.end {
@@ -140,12 +154,80 @@ where
                 continue;
             }
             if paint {
-                scan(table, &band, rule, window, &mut sink);
+                scan(table, &band);
             }
             y = end;
         }
     }
     Ok(())
+}
+
+/// How many slots an edge table needs for a polygon or a stroke.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EdgeSlots {
+    /// With so many, everything is filled at once.
+    pub whole: usize,
+    /// With so many, no row has too many sides: the fill takes fewer rows at a time. With fewer it fails.
+    pub least: usize,
+}
+
+/// How many slots [`fill`] needs for a polygon, so that a program can have a table of the right size, or a test can tell that it is
+/// large enough.
+///
+/// Work: that of loading the table for the window and then, where a row may have more sides than all above it, for fewer rows.
+/// ```
+/// use embedded_raster::{raster::polygon::{edge_slots, EdgeSlots}, PointFx, Rect};
+/// let zigzag: Vec<PointFx> = (0..10).map(|i| PointFx::px(i % 2 * 9, i)).collect();
+/// assert_eq!(edge_slots([&zigzag], Rect::new(0, 0, 16, 16)), EdgeSlots { whole: 10, least: 2 });
+/// ```
+#[inline]
+#[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
+pub fn edge_slots<C>(contours: C, window: Rect) -> EdgeSlots
+where
+    C: IntoIterator + Clone,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    edge_slots_of_bands(|_| contours.clone(), window)
+}
+
+/// As [`edge_slots`], of contours that are asked for by the part of the window that they are filled in.
+pub(crate) fn edge_slots_of_bands<C>(contours: impl Fn(Rect) -> C, window: Rect) -> EdgeSlots
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let window = Rect { x1: window.x1.min(PLACES), ..window };
+    if window.is_empty() || window.x1 <= -PLACES {
+        return EdgeSlots::default();
+    }
+    let count = |y0: i32, y1: i32| {
+        let band = Rect { y0, y1, ..window };
+        load(contours(band), band, &mut [], EdgeSlot::put)
+    };
+    let whole = count(window.y0, window.y1);
+    let least = most_of_a_row(whole.first, whole.end, 0, |y0, y1| count(y0, y1).count);
+    EdgeSlots { whole: whole.count, least }
+}
+
+/// The most sides that a row has, of those from `y` to `end`, or `most` if none has more. Where many rows together have no more,
+/// none of them has.
+fn most_of_a_row(mut y: i32, end: i32, mut most: usize, count: impl Fn(i32, i32) -> usize) -> usize {
+    let mut rows = 1_i32;
+    while y < end {
+        let next = y.saturating_add(rows).min(end);
+        let sides = count(y, next);
+        if sides <= most {
+            (y, rows) = (next, rows.saturating_mul(2));
+        } else if rows == 1 {
+            (y, most) = (next, sides);
+        } else {
+            rows >>= 1;
+        }
+    }
+    most
 }
 
 /// A box that encloses the pixels of a polygon: those with a centre between the outermost coordinates of its vertices.
@@ -190,7 +272,13 @@ struct Loaded {
 }
 
 /// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full.
-fn load<C>(contours: C, band: Rect, table: &mut [EdgeSlot]) -> Loaded
+/// `put` puts a side into a slot.
+fn load<C>(
+    contours: C,
+    band: Rect,
+    table: &mut [EdgeSlot],
+    put: impl Fn(&mut EdgeSlot, PointFx, PointFx, (i32, i32), bool),
+) -> Loaded
 where
     C: IntoIterator,
     C::Item: IntoIterator,
@@ -213,7 +301,7 @@ where
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(end);
         if let Some(slot) = table.get_mut(loaded.count) {
-            slot.put(a, b, (y, end), ay < by);
+            put(slot, a, b, (y, end), ay < by);
         }
         loaded.count = loaded.count.wrapping_add(1);
     };

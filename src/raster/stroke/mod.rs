@@ -46,7 +46,7 @@ pub use self::{
 use self::{cut::Ready, pen::Pen, sides::Polyline};
 use super::{
     outline,
-    polygon::{self, EdgeSlot},
+    polygon::{self, EdgeSlot, EdgeSlots},
 };
 use crate::{
     error::EdgeTableFull,
@@ -71,6 +71,17 @@ pub fn fill<D: Dashing>(
 ) -> Result<(), EdgeTableFull> {
     let segments = path.into_iter();
     polygon::fill_bands(|band| stroke.of_path(segments.clone(), band), FillRule::NonZero, table, window, sink)
+}
+
+/// How many slots [`fill`] needs for a stroked path: see [`polygon::edge_slots`].
+#[inline]
+pub fn edge_slots<D: Dashing>(
+    path: impl IntoIterator<IntoIter = impl Segments>,
+    stroke: &Stroke<D>,
+    window: Rect,
+) -> EdgeSlots {
+    let segments = path.into_iter();
+    polygon::edge_slots_of_bands(|band| stroke.of_path(segments.clone(), band), window)
 }
 
 /// Emits the spans of stroked lines: from each place to the next, and back to the first one if they are `closed`.
