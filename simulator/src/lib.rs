@@ -8,7 +8,7 @@
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
 //! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
-//! [`film`] makes APNG and GIF files of pictures.
+//! [`svg`] draws paths as SVG has them. [`film`] makes APNG and GIF files of pictures.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -26,7 +26,9 @@ mod finish;
 pub mod paint;
 mod picture;
 mod png;
+mod pnm;
 mod preview;
+pub mod svg;
 pub mod teapot;
 mod window;
 pub mod world;

@@ -1,0 +1,16 @@
+//! Paths as SVG has them, as a scene for framebuffers of any size and depth.
+//! ```text
+//!   "M4 4h16..."  --Path::svg, Affine-->  Shape --.
+//!                                                  >--- draw: any depth, whole or band by band
+//!   FILE.svg  ------- File::parse ------>  Shape --'
+//! ```
+//! * [`Shape`]: a path with its colours and its stroke.
+//! * [`Tone`]: a colour as a pixel of 1, 2, 4, 8, 16, 24 and 32 bits.
+//! * [`draw`]: shapes, one over the other, and what it took.
+
+mod scene;
+mod tone;
+
+pub use scene::{draw, slots, Drawing, Outline, Screen, Shape};
+pub(crate) use tone::luma;
+pub use tone::Tone;
