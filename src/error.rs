@@ -79,6 +79,8 @@ pub struct EdgeTableFull {
     pub needed: usize,
     /// The first such row.
     pub row: i32,
+    /// As many edges as any row of the window has: a table of that length is enough.
+    pub enough: usize,
 }
 
 /// Why a polygon could not be cut into triangles.
@@ -230,8 +232,11 @@ impl fmt::Display for BufferError {
 
 impl fmt::Display for EdgeTableFull {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { capacity, needed, row } = *self;
-        write!(f, "edge table full: {needed} edges cross row {row}, the table holds {capacity}")
+        let Self { capacity, needed, row, enough } = *self;
+        write!(
+            f,
+            "edge table full: {needed} edges cross row {row}, the table holds {capacity}, {enough} are enough for all rows"
+        )
     }
 }
 

@@ -492,6 +492,6 @@ fn a_result_comes_back_from_the_closure() {
         let square = [(0, 0), (9, 0), (9, 9), (0, 9)].map(|(x, y)| PointFx::px(x, y));
         canvas.fill_polygon_fx(&square, FillRule::NonZero, &mut [EdgeSlot::EMPTY; 1], Index4::new(3))
     });
-    let expected = embedded_raster::EdgeTableFull { capacity: 1, needed: 2, row: 0 };
+    let expected = embedded_raster::EdgeTableFull { capacity: 1, needed: 2, row: 0, enough: 2 };
     assert_eq!((full, display.calls), (Ok(Err(expected)), 0), "the table is full before anything is painted");
 }

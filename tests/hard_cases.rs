@@ -533,7 +533,7 @@ fn a_full_edge_table_paints_nothing() {
     let mut hits = Hits::new(WINDOW);
     let mut table = [EdgeSlot::EMPTY; 39];
     let result = hits.fill_polygon_fx(&vertices(&outline), FillRule::EvenOdd, &mut table, BinaryColor::On);
-    assert_eq!(result, Err(EdgeTableFull { capacity: 39, needed: 40, row: 0 }));
+    assert_eq!(result, Err(EdgeTableFull { capacity: 39, needed: 40, row: 0, enough: 40 }));
     assert!(hits.runs().is_empty(), "{}", picture(WINDOW, &hits.runs()));
 }
 

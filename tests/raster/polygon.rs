@@ -168,13 +168,21 @@ fn edge_tables_of_every_capacity() {
         let window = window_for(&mut rng, &contours);
         let rule = rng.pick(&RULES);
         let wanted = twins::polygon(&contours, rule, window);
+        let places: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
+        let slots = polygon::edge_slots(&places, window);
+        assert!(filled(&contours, rule, window, slots.least).is_ok(), "{slots:?}: {contours:?} in {window:?}");
+        let fewer = slots.least.checked_sub(1).map(|fewer| filled(&contours, rule, window, fewer));
+        assert!(
+            fewer.is_none_or(|got| got.is_err()) && slots.least <= slots.whole,
+            "{slots:?}: {contours:?} in {window:?}"
+        );
         for capacity in 0..=count(&contours) + 1 {
-            let overflow = (window.y0..window.y1)
-                .map(|row| (row, twins::sides_on_row(&contours, window, row)))
-                .find(|&(_, needed)| needed > capacity);
+            let rows = || (window.y0..window.y1).map(|row| (row, twins::sides_on_row(&contours, window, row)));
+            let overflow = rows().find(|&(_, needed)| needed > capacity);
+            let enough = rows().map(|(_, needed)| needed).max().unwrap_or_default();
             let got = filled(&contours, rule, window, capacity);
             if let Some((row, needed)) = overflow {
-                assert_eq!(got, Err(EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
+                assert_eq!(got, Err(EdgeTableFull { capacity, needed, row, enough }), "{contours:?} in {window:?}");
                 refused += 1;
             } else {
                 let got = got.unwrap_or_else(|e| panic!("{e}: {contours:?} in {window:?}"));
@@ -195,7 +203,7 @@ fn a_crowded_last_row_is_found_before_the_first_is_painted() {
         contours.push(vec![(x, 29 * 256), (x + 300, 29 * 256), (x + 200, 30 * 256)]);
     }
     let window = Rect::new(0, 0, 48, 40);
-    let error = EdgeTableFull { capacity: 19, needed: 20, row: 29 };
+    let error = EdgeTableFull { capacity: 19, needed: 20, row: 29, enough: 20 };
     assert_eq!(filled(&contours, FillRule::EvenOdd, window, 19), Err(error));
     let wanted = twins::polygon(&contours, FillRule::EvenOdd, window);
     assert_eq!(filled(&contours, FillRule::EvenOdd, window, 20).as_ref(), Ok(&wanted));
@@ -219,7 +227,7 @@ fn sides_right_of_the_window_take_no_slot() {
             assert_eq!(filled(&teeth, rule, window, 0), Ok(vec![]), "{rule:?} at {at}");
             // One unit further left the first side stands on the centres of the last column.
             let refused = filled(&comb(1, 39 * 256 + 128), rule, window, 0);
-            assert_eq!(refused, Err(EdgeTableFull { capacity: 0, needed: 1, row: 0 }));
+            assert_eq!(refused, Err(EdgeTableFull { capacity: 0, needed: 1, row: 0, enough: 1 }));
         }
         // A shape whose right end is not seen: one slot, and rows that end at the window's side.
         let mut contours = comb(50, 41 * 256);

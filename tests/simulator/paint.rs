@@ -227,12 +227,17 @@ fn a_command_that_fails_leaves_the_picture() {
     let before = paint.sheet().clone();
     let comb = Command::Polygon((0..6).map(|i| Point::new(4 * i, 2 + 15 * (i % 2))).collect());
     let failure = paint.apply(&comb).expect_err("the table holds four");
-    assert_eq!(failure, Failure::Draw(EdgeTableFull { capacity: 4, needed: 6, row: 2 }.into()), "the numbers");
-    assert_eq!(failure.to_string(), "edge table full: 6 edges cross row 2, the table holds 4", "in words");
+    assert_eq!(
+        failure,
+        Failure::Draw(EdgeTableFull { capacity: 4, needed: 6, row: 2, enough: 6 }.into()),
+        "the numbers"
+    );
+    let words = "edge table full: 6 edges cross row 2, the table holds 4, 6 are enough for all rows";
+    assert_eq!(failure.to_string(), words, "in words");
     assert!(paint.sheet() == &before, "the picture");
     let script = "color 3\npolygon 0 2 4 17 8 2 12 17 16 2 20 17";
     let error = replay(script, &mut paint).expect_err("the table holds four");
-    assert_eq!(error.to_string(), "line 2: edge table full: 6 edges cross row 2, the table holds 4", "in a script");
+    assert_eq!(error.to_string(), format!("line 2: {words}"), "in a script");
     assert!(paint.sheet() == &before, "the picture, still");
     paint.apply(&Command::Scratch(8, 6)).expect("it cannot fail");
     paint.apply(&comb).expect("six are enough");

@@ -14,7 +14,8 @@
 //! them has no right end, and goes to the side of the window.
 //!
 //! The table is the caller's. When more sides cross the window than it holds, the fill takes fewer rows at a time, in proportion.
-//! It fails only when a single row has too many sides, and it finds that out before it emits a span.
+//! It fails only when a single row has too many sides, and it finds that out before it emits a span; [`edge_slots`] tells how many
+//! slots are enough.
 //!
 //! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
 //! their first rows are spread evenly; on each row of the window the active sides, which are those that cross it and do not lie
@@ -149,7 +150,9 @@ fn in_bands(
             (rows, count) = (end.wrapping_sub(y), band.count);
             if count > table.len() {
                 if rows == 1 {
-                    return Err(EdgeTableFull { capacity: table.len(), needed: count, row: y });
+                    let others = |y0, y1| load(y0, y1, &mut []).count;
+                    let enough = most_of_a_row(end, whole.end, count, others);
+                    return Err(EdgeTableFull { capacity: table.len(), needed: count, row: y, enough });
                 }
                 continue;
             }
