@@ -19,7 +19,7 @@ use crate::{
         ellipse::{self, Ellipse},
         flood::{self as pour, Connectivity, FloodSlot},
         line, outline,
-        polygon::{self, EdgeSlot},
+        polygon::{self, drop_out::DropOut, EdgeSlot},
         rectangle,
         rounded::{self, Radii},
         stroke::{self, Dashing, Stroke},
@@ -520,6 +520,26 @@ pub trait Canvas: Surface {
         color: Self::Color,
     ) -> Result<(), EdgeTableFull> {
         in_color(self, color, |window, brush| polygon::fill(Contours::within(path, window), rule, table, window, brush))
+    }
+
+    /// Fills a path with drop-out control: what is too thin to hold the centre of a pixel is drawn all the same. See
+    /// [`drop_out`](polygon::drop_out) for which pixels.
+    ///
+    /// # Errors
+    /// As for [`fill_polygon`](Self::fill_polygon), and also if too many sides cross a single column.
+    #[inline]
+    fn fill_path_drop_out_fx(
+        &mut self,
+        path: impl IntoIterator<IntoIter = impl Segments>,
+        rule: FillRule,
+        drop_out: DropOut,
+        table: &mut [EdgeSlot],
+        color: Self::Color,
+    ) -> Result<(), EdgeTableFull> {
+        in_color(self, color, |window, brush| {
+            let contours = Contours::within(path, window.inset(-1));
+            polygon::drop_out::fill(contours, rule, drop_out, table, window, brush)
+        })
     }
 
     /// Draws a quadratic Bézier curve one pixel wide: start, control point, end.

@@ -36,6 +36,12 @@ impl Stepper {
         Self { value, slope, rest: rest.wrapping_sub(d.get()), rest_step, d: d.get() }
     }
 
+    /// The remainder and the divisor: their ratio is what the value lacks to be exact, rounded down.
+    #[inline]
+    pub(crate) fn remainder(&self) -> (u32, u32) {
+        (self.rest.wrapping_add(self.d), self.d)
+    }
+
     /// Takes one step.
     #[inline(always)]
     pub(crate) fn step(&mut self) {

@@ -20,6 +20,7 @@
 pub mod arcs;
 pub mod arguments;
 pub mod curves;
+pub mod drop_outs;
 pub mod frame;
 pub mod gradients;
 pub mod hits;

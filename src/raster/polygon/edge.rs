@@ -1,10 +1,15 @@
 //! [`EdgeSlot`]: a side on its way down the rows, in a table that the caller owns.
 
-use core::cell::Cell;
+use core::{cell::Cell, num::NonZeroU32};
 
 use crate::{
     geom::{bits, PointFx},
-    num::stepper::Stepper,
+    num::{
+        cast::unsigned,
+        recip::Divisor,
+        round::{difference, first_centre_after},
+        stepper::Stepper,
+    },
     raster::slope::Slope,
 };
 
@@ -69,6 +74,34 @@ impl EdgeSlot {
         self.y.set(y);
         self.end = end.wrapping_mul(4) | if down { 1 } else { 3 };
         self.bucket.set(END);
+    }
+
+    /// As [`put`](Self::put), with a remainder that has the whole crossing c: it lies between the centres of two pixels, `x - 1/2`
+    /// and `x + 1/2`, where x is the value, and `c - (x - 1/2)` is `(rest + 1) / d`. Of sides that are higher than 65,536 pixels
+    /// it is rounded down to `2^-24`.
+    ///
+    /// In the words of `raster::slope`, M is not divided by 256, and dy is multiplied by 256 instead.
+    pub(super) fn put_exact(&mut self, a: PointFx, b: PointFx, (y, end): (i32, i32), down: bool) {
+        self.put(a, b, (y, end), down);
+        let ((ax, ay), (bx, by)) = if down { (bits(a), bits(b)) } else { (bits(b), bits(a)) };
+        let dy = unsigned(by.wrapping_sub(ay));
+        let Some(d) = NonZeroU32::new(dy << 8).filter(|_| dy >> 24 == 0) else { return };
+        let (dx, rows) = (difference(bx, ax), (i64::from(y) << 8).wrapping_add(128).wrapping_sub(ay.into()));
+        let f = i64::from(ax.wrapping_add(128) & 255);
+        let n = f.wrapping_mul(dy.into()).wrapping_add(rows.wrapping_mul(dx)).wrapping_sub(1);
+        let (k, rest) = Divisor::new(d).floor(n);
+        // A side with a second row is higher than a row.
+        let (slope, part) = match NonZeroU32::new(dy).filter(|_| end.wrapping_sub(y) > 1) {
+            Some(dy) => Divisor::new(dy).floor(dx),
+            None => (0, 0),
+        };
+        let first = first_centre_after(ax).wrapping_add(k);
+        self.crossing.set(Stepper::new(d, (first, rest), (slope, part << 8)));
+    }
+
+    /// The remainder of its crossing, and the divisor.
+    pub(super) fn remainder(&self) -> (u32, u32) {
+        self.crossing.get().remainder()
     }
 
     /// The first pixel right of it.

@@ -30,6 +30,8 @@ use core::{
     num::NonZeroU32,
 };
 
+pub mod drop_out;
+
 mod edge;
 mod list;
 
