@@ -3,26 +3,36 @@
 //! `cargo run --example svg -- --path "M4 4h16l-8 16z"` writes `svg.png` and shows it in the terminal; `-- --help` tells the rest.
 //! How a path is drawn stands in `simulator/src/svg/scene.rs`: a call of `fill_path_fx`, and one of `stroke_path_fx`.
 
-use std::{error::Error, process::ExitCode, str::FromStr};
+use std::{
+    error::Error,
+    fs,
+    io::{self, Write},
+    process::ExitCode,
+    str::FromStr,
+};
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::RgbColor};
-use embedded_raster::{Affine, Angle, Cap, FillRule, Join, Path, Stroke};
+use embedded_raster::{raster::polygon::drop_out::DropOut, Affine, Angle, Cap, FillRule, Join, Path, Stroke};
 use embedded_raster_simulator::{
     finish,
-    svg::{draw, slots, Outline, Screen, Shape},
+    svg::{draw, slots, File, Outline, Screen, Shape},
 };
 use fixed::types::{I16F16, I24F8};
 
 const USAGE: &str = "\
-usage: svg --path DATA [--path DATA ...] [--size WxH] [--bits 1|2|4|8|16|24|32] [--fill nonzero|evenodd|none]
+usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits 1|2|4|8|16|24|32] [--fill nonzero|evenodd|none]
+           [--dropout[=simple|smart|simple-no-stubs|smart-no-stubs]]
            [--stroke WIDTH [--cap butt|square|round] [--join miter|bevel|round] [--miter-limit N]
            [--dash A,B,... [--phase N]] [--min-width]]
            [--scale F] [--rotate DEG] [--translate X,Y] [--band ROWS] [--slots N] [--out FILE.png|.pbm|.pgm]
 
 --path DATA      what SVG has in the attribute `d`, drawn in black on white
---size WxH       size of the picture: 24x24, at most 4096x4096
+--input FILE     an SVG file, in its own colours: paths, basic shapes, groups, transforms, fills and outlines; what it asks
+                 for beyond that is named on standard error
+--size WxH       size of the picture: 24x24, or that of the file; at most 4096x4096
 --bits BITS      depth of the picture: 1
 --fill RULE      what is inside of the path: nonzero
+--dropout        also draws what lies between the centres of pixels: smart
 --stroke WIDTH   an outline of this width, from 0 to 65536; none unless told
 --cap, --join    its ends: butt; its corners: miter
 --miter-limit N  how far a corner may reach, in widths: 4
@@ -48,12 +58,12 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let Some(options) = Options::parse(arguments)? else {
         return Ok(format!("{USAGE}\n"));
     };
-    let shapes = options.shapes()?;
-    let drawing = draw(&shapes, &options.screen)?;
+    let (shapes, screen) = options.shapes()?;
+    let drawing = draw(&shapes, &screen)?;
     drawing.picture.write(&options.out)?;
     drawing.picture.show(100);
-    let Screen { width, height, bits, .. } = options.screen;
-    let (needs, out) = (slots(&shapes, &options.screen), &options.out);
+    let Screen { width, height, bits, .. } = screen;
+    let (needs, out) = (slots(&shapes, &screen), &options.out);
     let lines = [
         format!("{out}: {width} x {height} at {bits} bit{} per pixel", if bits == 1 { "" } else { "s" }),
         format!("pixels {}", drawing.pixels),
@@ -65,8 +75,12 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
 #[derive(Debug)]
 struct Options {
     paths: Vec<String>,
+    input: Option<String>,
+    /// The size of the screen was told.
+    is_sized: bool,
     screen: Screen,
     fill: Option<FillRule>,
+    drop_out: Option<DropOut>,
     /// Its width is none of its own if there is no outline.
     stroke: Stroke,
     has_outline: bool,
@@ -83,8 +97,11 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             paths: vec![],
+            input: None,
+            is_sized: false,
             screen: Screen { width: 24, height: 24, bits: 1, band: 4096, slots: 65_535, paper: Rgb888::WHITE },
             fill: Some(FillRule::NonZero),
+            drop_out: None,
             stroke: Stroke::px(1),
             has_outline: false,
             dashes: vec![],
@@ -106,11 +123,17 @@ impl Options {
         while let Some(argument) = arguments.next()? {
             match argument {
                 Long("path") => options.paths.push(arguments.value()?.string()?),
+                Long("input") => options.input = Some(arguments.value()?.string()?),
                 Long("size") => {
+                    options.is_sized = true;
                     (options.screen.width, options.screen.height) = arguments.value()?.parse_with(parse_size)?;
                 }
                 Long("bits") => options.screen.bits = arguments.value()?.parse_with(parse_bits)?,
                 Long("fill") => options.fill = arguments.value()?.parse_with(parse_fill)?,
+                Long("dropout") => {
+                    let kind = arguments.optional_value();
+                    options.drop_out = Some(kind.map_or(Ok(DropOut::SMART), |kind| kind.parse_with(parse_drop_out))?);
+                }
                 Long("stroke") => {
                     options.stroke.width = arguments.value()?.parse_with(parse_width)?;
                     options.has_outline = true;
@@ -131,14 +154,47 @@ impl Options {
                 _ => return Err(argument.unexpected()),
             }
         }
-        if options.paths.is_empty() {
-            return Err("there is nothing to draw: --path DATA is missing".into());
+        if options.paths.is_empty() && options.input.is_none() {
+            return Err("there is nothing to draw: --path DATA or --input FILE is missing".into());
         }
         Ok(Some(options))
     }
 
-    /// What is drawn.
-    fn shapes(&self) -> Result<Vec<Shape>, Box<dyn Error>> {
+    /// What is drawn, the file first, and on what.
+    fn shapes(&self) -> Result<(Vec<Shape>, Screen), Box<dyn Error>> {
+        let (mut shapes, mut screen) = (vec![], self.screen);
+        if let Some(input) = &self.input {
+            let named = |error: String| format!("{input}: {error}");
+            let text = fs::read_to_string(input).map_err(|error| named(error.to_string()))?;
+            let mut file = File::parse(&text).map_err(named)?;
+            if !self.is_sized {
+                let size = file.size();
+                let scaled =
+                    |n: u16| (f64::from(n) * self.scale.to_num::<f64>().abs()).round().clamp(1.0, 4096.0) as u16;
+                (screen.width, screen.height) = (scaled(size.0), scaled(size.1));
+            }
+            let fit = if self.is_sized { (screen.width, screen.height) } else { file.size() };
+            shapes = self.file(&mut file, fit);
+            for what in &file.unknown {
+                writeln!(io::stderr(), "svg: {input}: not drawn as it should be: {what}")?;
+            }
+        }
+        shapes.extend(self.paths()?);
+        Ok((shapes, screen))
+    }
+
+    /// The shapes of a file.
+    fn file(&self, file: &mut File, size: (u16, u16)) -> Vec<Shape> {
+        let (scale, (x, y)): (f64, _) = (self.scale.to_num(), self.translate);
+        let (sin, cos) = self.rotate.to_num::<f64>().to_radians().sin_cos();
+        let then = [scale * cos, scale * sin, -scale * sin, scale * cos, x.to_num(), y.to_num()];
+        let mut shapes = file.shapes(size, then, self.min_width);
+        shapes.iter_mut().for_each(|shape| shape.drop_out = self.drop_out);
+        shapes
+    }
+
+    /// The paths of the command line.
+    fn paths(&self) -> Result<Vec<Shape>, Box<dyn Error>> {
         let (x, y) = self.translate;
         let map = Affine::scale(self.scale, self.scale)
             .then(Affine::rotate(Angle::degrees_fx(self.rotate)))
@@ -156,7 +212,8 @@ impl Options {
         });
         let shape = |text: &String| {
             let path = Path::svg(text).map_err(|error| format!("--path: {error}"))?.mapped(map).collect();
-            Ok(Shape { path, fill: self.fill.map(|rule| (rule, Rgb888::BLACK)), outline: outline.clone() })
+            let fill = self.fill.map(|rule| (rule, Rgb888::BLACK));
+            Ok(Shape { path, fill, drop_out: self.drop_out, outline: outline.clone() })
         };
         self.paths.iter().map(shape).collect()
     }
@@ -179,6 +236,16 @@ fn parse_fill(text: &str) -> Result<Option<FillRule>, &'static str> {
         "evenodd" => Ok(Some(FillRule::EvenOdd)),
         "none" => Ok(None),
         _ => Err("--fill takes nonzero, evenodd or none"),
+    }
+}
+
+fn parse_drop_out(text: &str) -> Result<DropOut, &'static str> {
+    match text {
+        "simple" => Ok(DropOut::SIMPLE),
+        "smart" => Ok(DropOut::SMART),
+        "simple-no-stubs" => Ok(DropOut::SIMPLE_WITHOUT_STUBS),
+        "smart-no-stubs" => Ok(DropOut::SMART_WITHOUT_STUBS),
+        _ => Err("--dropout takes simple, smart, simple-no-stubs or smart-no-stubs"),
     }
 }
 
@@ -234,4 +301,101 @@ fn parse_out(text: &str) -> Result<String, &'static str> {
     let end = text.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
     let known = matches!(end.as_deref(), Some("png" | "pbm" | "pgm"));
     known.then(|| text.into()).ok_or("--out takes a name that ends with .png, .pbm or .pgm")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_raster_simulator::svg::Drawing;
+
+    fn options(arguments: &[&str]) -> Result<Options, String> {
+        let parser = lexopt::Parser::from_iter(["svg"].iter().chain(arguments));
+        Options::parse(parser).map(|options| options.expect("no help")).map_err(|error| error.to_string())
+    }
+
+    fn drawn(arguments: &[&str]) -> Result<Drawing, String> {
+        let options = options(arguments)?;
+        let (shapes, screen) = options.shapes().map_err(|error| error.to_string())?;
+        draw(&shapes, &screen).map_err(|error| error.to_string())
+    }
+
+    fn pixels(arguments: &[&str]) -> usize {
+        drawn(arguments).unwrap_or_else(|error| panic!("{error}")).pixels
+    }
+
+    #[test]
+    fn pixels_are_counted_once() {
+        let square = ["--path", "M4 4h16v16h-16z"];
+        assert_eq!(pixels(&square), 256, "filled");
+        assert_eq!(pixels(&[&square[..], &["--fill", "none"]].concat()), 0, "nothing");
+        assert_eq!(pixels(&[&square[..], &["--fill", "none", "--stroke", "2"]].concat()), 324 - 196, "an outline");
+        assert_eq!(pixels(&[&square[..], &["--stroke", "2"]].concat()), 324, "both");
+        assert_eq!(pixels(&[&square[..], &["--path", "M0 0h8v8h-8z"]].concat()), 256 + 64 - 16, "two paths");
+        let hole = ["--path", "M4 4h16v16h-16zM8 8h8v8h-8z", "--fill", "evenodd"];
+        assert_eq!(pixels(&hole), 192, "a hole");
+        let moved = ["--scale", "0.5", "--rotate", "90", "--translate", "24,0"];
+        assert_eq!(pixels(&[&square[..], &moved].concat()), 64, "scaled, turned and moved");
+        let stem = ["--path", "M3.55 2H4.15V10H3.55z"];
+        assert_eq!(pixels(&stem), 0, "between two columns");
+        for kind in ["--dropout", "--dropout=simple", "--dropout=smart"] {
+            assert_eq!(pixels(&[&stem[..], &[kind]].concat()), 8, "one column, {kind}");
+        }
+    }
+
+    #[test]
+    fn bands_and_depths_show_the_same() {
+        let path = ["--path", "M12 1a11 11 0 1 0 .1 0zm-5 4 9 12-12-6z", "--fill", "evenodd", "--stroke", "1.5"];
+        let whole = drawn(&path).unwrap();
+        for band in ["1", "7", "24", "9999"] {
+            let banded = drawn(&[&path[..], &["--band", band]].concat()).unwrap();
+            assert!(banded.picture == whole.picture && banded.pixels == whole.pixels, "{band} rows at a time");
+        }
+        for bits in ["1", "2", "4", "8", "16", "24", "32"] {
+            let other = drawn(&[&path[..], &["--bits", bits]].concat()).unwrap();
+            assert!(other.picture.colors().eq(whole.picture.colors()), "{bits} bits");
+        }
+        let full = drawn(&[&path[..], &["--slots", "3"]].concat()).unwrap_err();
+        assert!(
+            full.starts_with("edge table full: 4 edges cross row ") || full.contains("the table holds 3"),
+            "{full}"
+        );
+    }
+
+    #[test]
+    fn wrong_arguments_are_told_in_a_line() {
+        for (arguments, wanted) in [
+            (&["--path", "M4 4 L"][..], "--path: position 6: a number is expected"),
+            (&["--path", "L4 4"], "--path: position 0: a path begins with M"),
+            (&["--path", "M4 4 X"], "--path: position 5: a command is expected"),
+            (&["--path", "M4 4A1 1 0 2 0 5 5"], "--path: position 11: a flag is expected, 0 or 1"),
+            (&[], "there is nothing to draw: --path DATA or --input FILE is missing"),
+        ] {
+            assert_eq!(drawn(arguments).unwrap_err(), wanted, "{arguments:?}");
+        }
+        for (name, value) in [
+            ("--bits", "3"),
+            ("--size", "24"),
+            ("--size", "0x24"),
+            ("--fill", "odd"),
+            ("--stroke", "-1"),
+            ("--stroke", "x"),
+            ("--cap", "flat"),
+            ("--join", "mitre"),
+            ("--miter-limit", ""),
+            ("--dash", "8,x"),
+            ("--dash", "8,-4"),
+            ("--phase", "a"),
+            ("--scale", "1e9x"),
+            ("--rotate", "left"),
+            ("--translate", "4"),
+            ("--band", "0"),
+            ("--slots", "0"),
+            ("--out", "x.jpg"),
+            ("--dropout=none", ""),
+            ("--colour", "red"),
+        ] {
+            let error = options(&["--path", "M0 0", name, value]).expect_err(name);
+            assert!(!error.contains('\n'), "{error}");
+        }
+    }
 }

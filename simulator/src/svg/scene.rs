@@ -8,7 +8,11 @@ use embedded_raster::{
     buffer_bytes,
     pixel::Xrgb8888,
     raster::{
-        polygon::{self, EdgeSlots},
+        polygon::{
+            self,
+            drop_out::{self, DropOut},
+            EdgeSlots,
+        },
         stroke,
     },
     Canvas, EdgeSlot, EdgeTableFull, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Path, PathSegment,
@@ -26,6 +30,8 @@ pub struct Shape {
     pub path: Vec<PathSegment>,
     /// Which regions are inside, and their colour.
     pub fill: Option<(FillRule, Rgb888)>,
+    /// What is drawn of regions between the centres of pixels.
+    pub drop_out: Option<DropOut>,
     /// Its outline, drawn over them.
     pub outline: Option<Outline>,
 }
@@ -136,7 +142,10 @@ impl Outline {
 impl Shape {
     fn slots(&self, window: Rect) -> EdgeSlots {
         let path = Path::new(&self.path);
-        let inside = self.fill.map(|_| polygon::edge_slots(path.contours_in(window), window));
+        let inside = self.fill.map(|_| match self.drop_out {
+            None => polygon::edge_slots(path.contours_in(window), window),
+            Some(_) => drop_out::edge_slots(path.contours_in(window.inset(-1)), window),
+        });
         let around = self.outline.as_ref().map(|outline| match &outline.dashes[..] {
             [] => stroke::edge_slots(path, &outline.visible(), window),
             dashes => stroke::edge_slots(path, &outline.visible().dashed(dashes, outline.phase), window),
@@ -153,7 +162,10 @@ impl Shape {
     ) -> Result<(), EdgeTableFull> {
         let path = Path::new(&self.path);
         if let Some((rule, color)) = self.fill {
-            on.fill_path_fx(path, rule, table, tone(color))?;
+            match self.drop_out {
+                None => on.fill_path_fx(path, rule, table, tone(color))?,
+                Some(drop_out) => on.fill_path_drop_out_fx(path, rule, drop_out, table, tone(color))?,
+            }
         }
         let Some(outline) = &self.outline else { return Ok(()) };
         let (stroke, color) = (outline.visible(), tone(outline.color));
