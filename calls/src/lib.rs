@@ -8,6 +8,7 @@
 //! | [`draw`] | what draws without reading | any surface |
 //! | [`read`] | what reads as well | a surface that can be read |
 //! | [`frames::call`] | what only memory has | a frame |
+//! | [`paths::call`] | what makes paths, from texts too | nothing |
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
 //! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
 //! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
@@ -20,6 +21,7 @@
 pub mod answer;
 pub mod computing;
 pub mod frames;
+pub mod paths;
 pub mod present;
 pub mod shading;
 pub mod space;
@@ -38,6 +40,7 @@ use embedded_raster::{
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
+        polygon::drop_out::DropOut,
         triangle,
     },
     surface::Rows,
@@ -205,6 +208,11 @@ calls! {
     fill_contours_fx => on.fill_contours_fx([a.contour, &a.places], a.rule(), a.table, c);
     draw_path_fx => on.draw_path_fx(Path::new(a.segments), c);
     fill_path_fx => on.fill_path_fx(Path::new(a.segments), a.rule(), a.table, c);
+    fill_path_drop_out_fx => {
+        let drop_out = DropOut { smart: a.flag, stubs: a.numbers[0] & 1 == 0 };
+        let few = a.segments.get(..a.segments.len().min(6)).unwrap_or_default();
+        on.fill_path_drop_out_fx(Path::new(few), a.rule(), drop_out, a.table, c)
+    };
     draw_quadratic_fx => on.draw_quadratic_fx(a.corners_fx(), c);
     draw_cubic_fx => on.draw_cubic_fx(a.places, c);
     stroke_path_fx => on.stroke_path_fx(Path::new(a.segments), &a.stroke.dashed(a.dashes, a.phase), a.table, c);

@@ -91,6 +91,11 @@ pub extern "C" fn compute(on: &mut Palette<Rgb888, 16>, a: &mut Arguments<'_, Ro
 }
 
 #[no_mangle]
+pub unsafe extern "C" fn paths(text: &Memory, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
+    core::str::from_utf8(text.bytes()).map_or(0, |text| calls::paths::call(text, a, number))
+}
+
+#[no_mangle]
 pub unsafe extern "C" fn shade(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
     let Some(frame) = m.frame::<Rows<Rgb565>>() else { return 0 };
     shading::call(&frame.as_bitmap(), a, number)

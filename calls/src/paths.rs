@@ -1,0 +1,111 @@
+//! The list of what makes paths: texts, arcs, maps, and how they are filled and measured without a surface.
+
+use embedded_raster::{
+    geom::{Arc, Contours, Curves},
+    raster::{
+        polygon::{self, drop_out},
+        stroke,
+    },
+    Affine, ClippedSpan, Layout, Path, PathSegment, PointFx, Svg,
+};
+use fixed::types::I16F16;
+
+use crate::{
+    answer::{sum, Answer},
+    calls,
+};
+
+calls! {
+    /// Makes the call of a number below that of [`NAMES`], with a text that is a path or is none.
+    NAMES, call[L: Layout](on: &str, a)
+    {
+        let (window, rule, [p, q, ..]) = (a.window, a.rule(), a.places);
+        let [xx, xy, dx, yx, yy, dy] = a.numbers.map(I16F16::from_bits);
+        let map = Affine { xx, xy, dx, yx, yy, dy };
+        let rotation = embedded_raster::Angle::from_bits(dy.to_bits().cast_unsigned());
+        let arc = Arc { radii: [a.size, a.phase], rotation, is_large: a.flag, is_clockwise: xx.is_negative() };
+        let segments = a.segments;
+    }
+    [Affine]
+    default => Affine::default().apply(p);
+    scale => Affine::scale(xx, yy).apply(p);
+    translate => Affine::translate(dx, dy).apply(p);
+    rotate => Affine::rotate(rotation).apply(p);
+    then => map.then(map).apply(p);
+    apply => map.apply(p);
+    segment => segments.first().map(|&segment| digest(map.segment(segment)));
+    path => digests(map.path(segments));
+    [Mapped]
+    next => map.path(segments).next().map(digest);
+    [Arc]
+    circle => digests(Arc::circle(a.size).between(p, q));
+    between => digests(arc.between(p, q));
+    [Curves]
+    ellipse => digests(Curves::ellipse(p, [a.size, a.phase], rotation));
+    mapped => digests(arc.between(p, q).mapped(map));
+    step => arc.between(p, q).step().map(digest);
+    next => arc.between(p, q).next().map(digest);
+    [Path]
+    svg => Path::svg(on).map(|path| path.len());
+    into_iter => digests(Path::new(segments));
+    [Svg]
+    iter => svg(on).map(|path| digests(path.iter()));
+    mapped => svg(on).map(|path| digests(path.mapped(map)));
+    len => svg(on).map(|path| path.len());
+    is_empty => svg(on).map(|path| path.is_empty());
+    to_array => svg(on).map(|path| path.to_array::<5>().map(digests));
+    into_iter => svg(on).map(digests);
+    [SvgSegments]
+    step => svg(on).map(|path| path.mapped(map).step().map(digest));
+    next => svg(on).map(|path| path.mapped(map).next().map(digest));
+    [Contours]
+    new => svg(on).map(|path| sum(Contours::new(path).take(3).map(|contour| sum(contour.take(50)))));
+    within => sum(Contours::within(map.path(segments), window).map(sum));
+    [polygon]
+    edge_slots => {
+        let (first, second) = a.contour.split_at_checked(a.length(5) % 8).unwrap_or((a.contour, &[]));
+        let slots = polygon::edge_slots([first, second], window);
+        (slots.whole, slots.least)
+    };
+    [drop_out]
+    fill => {
+        let (mut sum, contour) = (0_usize, a.contour.get(..a.contour.len().min(8)).unwrap_or_default());
+        let drop_out = drop_out::DropOut { smart: a.flag, stubs: xx.is_negative() };
+        let filled = drop_out::fill([contour], rule, drop_out, a.table, window, add(&mut sum));
+        filled.map(|()| sum)
+    };
+    edge_slots => {
+        let slots = drop_out::edge_slots([a.contour], window);
+        (slots.whole, slots.least)
+    };
+    [stroke]
+    edge_slots => {
+        let slots = stroke::edge_slots(Path::new(segments), &a.stroke.dashed(a.dashes, a.phase), window);
+        (slots.whole, slots.least)
+    };
+}
+
+fn svg(text: &str) -> Option<Svg<'_>> {
+    Path::svg(text).ok()
+}
+
+/// A number that depends on a segment.
+fn digest(segment: PathSegment) -> usize {
+    let none = PointFx::default();
+    match segment {
+        PathSegment::MoveTo(a) => [a, none, none].answer(),
+        PathSegment::LineTo(a) => [none, a, none].answer(),
+        PathSegment::QuadraticTo(c, a) => [c, a, none].answer(),
+        PathSegment::CubicTo(c, d, a) => [c, d, a].answer(),
+        PathSegment::Close => 1,
+    }
+}
+
+fn digests(segments: impl IntoIterator<Item = PathSegment>) -> usize {
+    sum(segments.into_iter().map(digest))
+}
+
+/// A sink that computes a sum of all spans.
+fn add(sum: &mut usize) -> impl FnMut(ClippedSpan) + '_ {
+    move |span| *sum = (*sum, span).answer()
+}
