@@ -296,6 +296,27 @@ fn what_computes_in_space() {
     }
 }
 
+/// Of texts that are paths, and of any other.
+#[test]
+fn what_makes_paths() {
+    let (mut rng, mut scratch) = (Rng::new(892), Scratch::new(892));
+    for _ in 0..twins::rng::cases(10_000) {
+        let bytes: Vec<u8> = (0..150).flat_map(|_| rng.bits().to_le_bytes()).collect();
+        let letters = b"mMlLhVcCsSqQtTaAzZ0011299.-+eE,,    \n";
+        let text: String = (0..rng.below(60)).map(|_| char::from(rng.pick(letters))).collect();
+        // As long as it makes sense.
+        let end = Path::svg(&text).map_or_else(|error| error.position, |_| text.len());
+        let front = text.get(..text[..end].rfind(char::is_alphabetic).unwrap_or(0)).unwrap_or_default();
+        for number in 0..=calls::paths::NAMES.len() {
+            for text in [&text, front] {
+                let mut arguments =
+                    scratch.arguments::<Rows<Index1>>(&mut Input(&bytes), Ground::Wild, [Index1::new(0); 2]);
+                black_box(calls::paths::call(text, &mut arguments, number));
+            }
+        }
+    }
+}
+
 #[test]
 fn what_hands_frames_to_a_display() {
     let mut rng = Rng::new(891);
