@@ -4,6 +4,7 @@
 //! How a path is drawn stands in `simulator/src/svg/scene.rs`: a call of `fill_path_fx`, and one of `stroke_path_fx`.
 
 use std::{
+    collections::BTreeSet,
     error::Error,
     fs,
     io::{self, Write},
@@ -14,8 +15,9 @@ use std::{
 use embedded_graphics::{pixelcolor::Rgb888, prelude::RgbColor};
 use embedded_raster::{raster::polygon::drop_out::DropOut, Affine, Angle, Cap, FillRule, Join, Path, Stroke};
 use embedded_raster_simulator::{
-    finish,
-    svg::{draw, slots, File, Outline, Screen, Shape},
+    finish, show,
+    svg::{draw, slots, Drawing, File, Outline, Screen, Shape},
+    Key, Shot,
 };
 use fixed::types::{I16F16, I24F8};
 
@@ -24,7 +26,7 @@ usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits
            [--dropout[=simple|smart|simple-no-stubs|smart-no-stubs]]
            [--stroke WIDTH [--cap butt|square|round] [--join miter|bevel|round] [--miter-limit N]
            [--dash A,B,... [--phase N]] [--min-width]]
-           [--scale F] [--rotate DEG] [--translate X,Y] [--band ROWS] [--slots N] [--out FILE.png|.pbm|.pgm]
+           [--scale F] [--rotate DEG] [--translate X,Y] [--band ROWS] [--slots N] [--out FILE.png|.pbm|.pgm] [--window]
 
 --path DATA      what SVG has in the attribute `d`, drawn in black on white
 --input FILE     an SVG file, in its own colours: paths, basic shapes, groups, transforms, fills and outlines; what it asks
@@ -45,6 +47,7 @@ usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits
 --band ROWS      draws in bands of that many rows: the same picture with less memory
 --slots N        slots of the edge table: 65535
 --out FILE       where the picture goes; svg.png unless told
+--window         shows it: left and right turn it, + and - change its size, D the depth, Esc quits
 
 It prints `pixels`, how many were painted, and `slots`, how many the largest shape needs at once and how many with fewer rows at
 a time.";
@@ -58,7 +61,13 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let Some(options) = Options::parse(arguments)? else {
         return Ok(format!("{USAGE}\n"));
     };
-    let (shapes, screen) = options.shapes()?;
+    if options.window {
+        return watch(options);
+    }
+    let Scene { shapes, screen, unknown } = options.scene()?;
+    for what in unknown {
+        writeln!(io::stderr(), "svg: not drawn as it should be: {what}")?;
+    }
     let drawing = draw(&shapes, &screen)?;
     drawing.picture.write(&options.out)?;
     drawing.picture.show(100);
@@ -70,6 +79,45 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         format!("slots {} at once, {} with fewer rows at a time", needs.whole, needs.least),
     ];
     Ok(lines.map(|line| line + "\n").concat())
+}
+
+/// What is drawn, and on what.
+struct Scene {
+    shapes: Vec<Shape>,
+    screen: Screen,
+    /// What a file asks for in vain.
+    unknown: BTreeSet<String>,
+}
+
+/// Shows it in a window, and does what the keys say.
+fn watch(mut options: Options) -> Result<String, Box<dyn Error>> {
+    // The window stays as large as it was.
+    (options.screen, options.is_sized) = (options.scene()?.screen, true);
+    let first = options.shot()?;
+    show::<Box<dyn Error>>("svg", first, |keys| {
+        let mut is_new = false;
+        for key in keys {
+            let (scale, rotate) = (options.scale, options.rotate);
+            match key {
+                Key::Left => options.rotate = (rotate - I16F16::from_num(5)) % I16F16::from_num(360),
+                Key::Right => options.rotate = (rotate + I16F16::from_num(5)) % I16F16::from_num(360),
+                Key::Equal | Key::NumPadPlus => options.scale = scale.saturating_mul(I16F16::from_num(1.125)),
+                Key::Minus | Key::NumPadMinus => options.scale = scale / I16F16::from_num(1.125),
+                Key::D => options.screen.bits = next(&[1, 2, 4, 8, 16, 24, 32], options.screen.bits),
+                _ => continue,
+            }
+            is_new = true;
+        }
+        is_new.then(|| options.shot()).transpose()
+    })
+    .map_err(|error| format!("{error} (a window needs a display; without --window, a file is written)"))?;
+    Ok(String::new())
+}
+
+/// The one after `current`, the first one after the last.
+fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
+    let at = all.iter().position(|&one| one == current).unwrap_or(0);
+    all[(at + 1) % all.len()]
 }
 
 #[derive(Debug)]
@@ -91,6 +139,7 @@ struct Options {
     rotate: I16F16,
     translate: (I16F16, I16F16),
     out: String,
+    window: bool,
 }
 
 impl Default for Options {
@@ -111,6 +160,7 @@ impl Default for Options {
             rotate: I16F16::ZERO,
             translate: (I16F16::ZERO, I16F16::ZERO),
             out: "svg.png".into(),
+            window: false,
         }
     }
 }
@@ -150,6 +200,7 @@ impl Options {
                 Long("band") => options.screen.band = arguments.value()?.parse_with(parse_rows)?,
                 Long("slots") => options.screen.slots = arguments.value()?.parse_with(parse_slots)?,
                 Long("out") => options.out = arguments.value()?.parse_with(parse_out)?,
+                Long("window") => options.window = true,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
             }
@@ -160,9 +211,18 @@ impl Options {
         Ok(Some(options))
     }
 
+    /// What the window shows, and what its title says of it.
+    fn shot(&self) -> Result<Shot, Box<dyn Error>> {
+        let Scene { shapes, screen, .. } = self.scene()?;
+        let Drawing { picture, pixels } = draw(&shapes, &screen)?;
+        let caption = format!("{} bit{}", screen.bits, if screen.bits == 1 { "" } else { "s" });
+        let row = (usize::from(screen.width) * screen.bits as usize).div_ceil(8);
+        Ok(Shot { picture, caption, ram: row * usize::from(screen.band.min(screen.height)), drawn: pixels as u64 })
+    }
+
     /// What is drawn, the file first, and on what.
-    fn shapes(&self) -> Result<(Vec<Shape>, Screen), Box<dyn Error>> {
-        let (mut shapes, mut screen) = (vec![], self.screen);
+    fn scene(&self) -> Result<Scene, Box<dyn Error>> {
+        let (mut shapes, mut screen, mut unknown) = (vec![], self.screen, BTreeSet::new());
         if let Some(input) = &self.input {
             let named = |error: String| format!("{input}: {error}");
             let text = fs::read_to_string(input).map_err(|error| named(error.to_string()))?;
@@ -175,12 +235,10 @@ impl Options {
             }
             let fit = if self.is_sized { (screen.width, screen.height) } else { file.size() };
             shapes = self.file(&mut file, fit);
-            for what in &file.unknown {
-                writeln!(io::stderr(), "svg: {input}: not drawn as it should be: {what}")?;
-            }
+            unknown = file.unknown;
         }
         shapes.extend(self.paths()?);
-        Ok((shapes, screen))
+        Ok(Scene { shapes, screen, unknown })
     }
 
     /// The shapes of a file.
@@ -306,7 +364,6 @@ fn parse_out(text: &str) -> Result<String, &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use embedded_raster_simulator::svg::Drawing;
 
     fn options(arguments: &[&str]) -> Result<Options, String> {
         let parser = lexopt::Parser::from_iter(["svg"].iter().chain(arguments));
@@ -315,7 +372,7 @@ mod tests {
 
     fn drawn(arguments: &[&str]) -> Result<Drawing, String> {
         let options = options(arguments)?;
-        let (shapes, screen) = options.shapes().map_err(|error| error.to_string())?;
+        let Scene { shapes, screen, .. } = options.scene().map_err(|error| error.to_string())?;
         draw(&shapes, &screen).map_err(|error| error.to_string())
     }
 
