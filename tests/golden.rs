@@ -21,15 +21,20 @@ use embedded_raster::{
     geom::{
         delaunay,
         triangulate::{self, SideSlot},
+        Arc, Curves,
     },
     pixel::{Xrgb8888, EGA},
-    raster::flood::{Connectivity, FloodSlot},
+    px,
+    raster::{
+        flood::{Connectivity, FloodSlot},
+        polygon::drop_out::DropOut,
+    },
     surface::{paged_bytes, Bitmap, Paged},
-    Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join, Palette, Path,
-    PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
+    Affine, Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join,
+    Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
 use embedded_raster_simulator::Picture;
-use fixed::types::I24F8;
+use fixed::types::{I16F16, I24F8};
 use pictures::{compare, is_blessing};
 
 const WIDTH: u16 = 96;
@@ -195,6 +200,49 @@ fn paths<C: Ink>(surface: &mut impl Surface<Color = C>) {
     surface.stroke_path_fx(Path::new(&wave), &dashes, &mut table, C::ega(YELLOW)).expect("enough slots");
     let ring = [p(140, 100), p(156, 92), p(164, 112), p(146, 120)];
     surface.stroke_polyline_fx(&ring, true, &Stroke::px(1), &mut table, C::ega(RED)).expect("enough slots");
+}
+
+/// The text of an icon at three sizes and angles, turned ellipses, an arc that is cut off, and the same thin letter without and with
+/// drop-out control.
+fn svg<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    surface.fill_window(C::ega(GROUND));
+    let mut table = [EdgeSlot::EMPTY; 64];
+    let number = |n: f64| I16F16::from_num(n);
+    // A clock: a ring, and two hands in one.
+    let clock =
+        Path::svg("M12 1a11 11 0 1 1-.01 0zm0 3a8 8 0 1 0 .01 0zM11 6h2v5.5l4 2.5-1 1.7-5-3.1z").expect("a path");
+    for (size, degrees, x, y, color) in
+        [(1.0, 0, 1.0, 1.0, GREEN), (1.5, 30, 38.0, -2.0, YELLOW), (0.5, -90, 2.0, 40.0, GREY)]
+    {
+        let map = Affine::scale(number(size), number(size))
+            .then(Affine::rotate(Angle::degrees(degrees)))
+            .then(Affine::translate(number(x), number(y)));
+        surface.fill_path_fx(clock.mapped(map), FillRule::NonZero, &mut table, C::ega(color)).expect("enough slots");
+    }
+    for i in 0..4 {
+        let leaf = Curves::ellipse(PointFx::px(76, 20), [px(16), px(4)], Angle::degrees(45 * i + 10));
+        let color = C::ega(if i % 2 == 0 { RED } else { GREY });
+        surface.fill_path_fx(leaf, FillRule::EvenOdd, &mut table, color).expect("enough slots");
+    }
+    let (a, b) = (PointFx::px(20, 62), PointFx::px(44, 50));
+    let arc = Arc { radii: [px(16), px(9)], rotation: Angle::degrees(-20), is_large: true, is_clockwise: true };
+    let moon = [PathSegment::MoveTo(a)].into_iter().chain(arc.between(a, b));
+    surface.fill_path_fx(moon, FillRule::NonZero, &mut table, C::ega(YELLOW)).expect("enough slots");
+    // Stems of 0.4 pixels.
+    let letter = Path::svg("M0 0h.4v3.2h4v-3.2h.4v8h-.4v-4.4h-4v4.4h-.4z").expect("a path");
+    for (x, drop_out) in
+        [(52.6, None), (62.6, Some(DropOut::SIMPLE)), (72.6, Some(DropOut::SMART)), (82.6, Some(DropOut::SMART))]
+    {
+        let turn = Affine::rotate(Angle::degrees(if x > 80.0 { 30 } else { 0 }));
+        let path = letter.mapped(
+            Affine::scale(number(1.5), number(1.5)).then(turn).then(Affine::translate(number(x), number(45.6))),
+        );
+        match drop_out {
+            None => surface.fill_path_fx(path, FillRule::NonZero, &mut table, C::ega(GREEN)),
+            Some(rule) => surface.fill_path_drop_out_fx(path, FillRule::NonZero, rule, &mut table, C::ega(GREEN)),
+        }
+        .expect("enough slots");
+    }
 }
 
 /// Rectangles of every width, one inside the other, at sub-pixel places and across the sides of the screen; points.
@@ -365,6 +413,8 @@ fn check<C: Ink>(depth: &str) {
     compare("polygons", &frame);
     paths(&mut frame);
     compare("paths", &frame);
+    svg(&mut frame);
+    compare("svg", &frame);
     rectangles(&mut frame);
     compare("rectangles", &frame);
     text(&mut frame);
@@ -432,12 +482,13 @@ fn pages() {
     }
     let mut ram = vec![0; paged_bytes(WIDTH, HEIGHT)];
     let mut pages = Pages::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
-    let scenes: [(&str, Scene); 7] = [
+    let scenes: [(&str, Scene); 8] = [
         ("rounds-1", |pages| rounds(pages)),
         ("lines-1", |pages| lines(pages)),
         ("triangles-1", |pages| triangles(pages)),
         ("polygons-1", |pages| polygons(pages)),
         ("paths-1", |pages| paths(pages)),
+        ("svg-1", |pages| svg(pages)),
         ("rectangles-1", |pages| rectangles(pages)),
         ("text-1", |pages| text(pages)),
     ];
