@@ -95,8 +95,8 @@ impl<'a> Svg<'a> {
     /// ```
     /// use embedded_raster::{fixed::types::I16F16, Affine, Path, PathSegment::*, PointFx};
     /// let large = Affine::scale(I16F16::from_num(1000), I16F16::from_num(1000));
-    /// let path = Path::svg("M.123.456h1")?;
-    /// assert!(path.mapped(large).eq([MoveTo(PointFx::px(123, 456)), LineTo(PointFx::px(1123, 456))]));
+    /// let path = Path::svg("M.125.375h1")?;
+    /// assert!(path.mapped(large).eq([MoveTo(PointFx::px(125, 375)), LineTo(PointFx::px(1125, 375))]));
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
