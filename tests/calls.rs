@@ -70,16 +70,8 @@ fn the_list_is_complete() {
             || ["fmt", "format"].contains(&function)
     };
     let wanted = count(source.names().into_iter().filter(|name| !is_elsewhere(name)));
-    let lists = [
-        DRAWING,
-        READING,
-        frames::NAMES,
-        computing::NAMES,
-        paths::NAMES,
-        present::NAMES,
-        shading::NAMES,
-        space::NAMES,
-    ];
+    let lists =
+        [DRAWING, READING, frames::NAMES, computing::NAMES, paths::NAMES, present::NAMES, shading::NAMES, space::NAMES];
     let listed = count(lists.concat());
     let lacks = |these: &BTreeMap<String, usize>, those: &BTreeMap<String, usize>| -> Vec<String> {
         these.iter().filter(|(name, n)| those.get(*name).is_none_or(|m| m < *n)).map(|(name, _)| name.clone()).collect()

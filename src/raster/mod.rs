@@ -27,6 +27,7 @@ pub mod rectangle;
 pub mod stroke;
 pub mod triangle;
 
+mod bands;
 mod round;
 mod slope;
 #[cfg(test)]

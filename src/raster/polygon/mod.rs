@@ -27,7 +27,6 @@ use core::{
     borrow::Borrow,
     cell::Cell,
     mem::{replace, swap},
-    num::NonZeroU32,
 };
 
 pub mod drop_out;
@@ -40,6 +39,7 @@ use self::{
     edge::{ACTIVE, END},
     list::{get, merge, sort},
 };
+use super::bands::{self, most_of_a_row, Loaded, CHECKED};
 use crate::{
     error::EdgeTableFull,
     geom::{bits, PointFx},
@@ -117,54 +117,22 @@ where
     }
     let load = |band: Rect, table: &mut [EdgeSlot]| load(contours(band), band, table, EdgeSlot::put);
     let scan = |table: &[EdgeSlot], band: &Loaded| scan(table, band, rule, window, &mut sink);
-    in_bands(load, table, window, &[false, true], scan)
+    in_bands(load, table, window, CHECKED, scan)
 }
 
-/// Loads a table with the sides of a window, or of one band of it after the other, and scans each. If there are bands, they are
-/// gone through for each of `passes`, and scanned in those that are `true`: the first ones find out whether all can be loaded.
+/// [`bands::in_bands`], of as much of the table as places in it can name.
 #[inline(always)]
 fn in_bands(
     load: impl Fn(Rect, &mut [EdgeSlot]) -> Loaded,
     table: &mut [EdgeSlot],
     window: Rect,
     passes: &[bool],
-    mut scan: impl FnMut(&[EdgeSlot], &Loaded),
+    scan: impl FnMut(&[EdgeSlot], &Loaded),
 ) -> Result<(), EdgeTableFull> {
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
-    let load = |y0: i32, y1: i32, table: &mut [EdgeSlot]| load(Rect { y0, y1, ..window }, table);
-    let whole = load(window.y0, window.y1, table);
-    if whole.count <= table.len() {
-        if passes.last() == Some(&true) {
-            scan(table, &whole);
-        }
-        return Ok(());
-    }
-    // Too many for one pass. First find out whether every band can be loaded, then paint them.
-    for &paint in passes {
-        let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
-        let mut count = whole.count;
-        while y < whole.end {
-            rows = shared(rows, table.len(), count);
-            let end = y.saturating_add(rows).min(whole.end);
-            let band = load(y, end, table);
-            (rows, count) = (end.wrapping_sub(y), band.count);
-            if count > table.len() {
-                if rows == 1 {
-                    let others = |y0, y1| load(y0, y1, &mut []).count;
-                    let enough = most_of_a_row(end, whole.end, count, others);
-                    return Err(EdgeTableFull { capacity: table.len(), needed: count, row: y, enough });
-                }
-                continue;
-            }
-            if paint {
-                scan(table, &band);
-            }
-            y = end;
-        }
-    }
-    Ok(())
+    bands::in_bands(table, window, passes, load, scan)
 }
 
 /// How many slots an edge table needs for a polygon or a stroke.
@@ -217,24 +185,6 @@ where
     EdgeSlots { whole: whole.count, least }
 }
 
-/// The most sides that a row has, of those from `y` to `end`, or `most` if none has more. Where many rows together have no more,
-/// none of them has.
-fn most_of_a_row(mut y: i32, end: i32, mut most: usize, count: impl Fn(i32, i32) -> usize) -> usize {
-    let mut rows = 1_i32;
-    while y < end {
-        let next = y.saturating_add(rows).min(end);
-        let sides = count(y, next);
-        if sides <= most {
-            (y, rows) = (next, rows.saturating_mul(2));
-        } else if rows == 1 {
-            (y, most) = (next, sides);
-        } else {
-            rows >>= 1;
-        }
-    }
-    most
-}
-
 /// A box that encloses the pixels of a polygon: those with a centre between the outermost coordinates of its vertices.
 /// ```
 /// use embedded_raster::{raster::polygon, PointFx, Rect};
@@ -258,22 +208,6 @@ where
     }
     let pixel = first_centre_from;
     Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
-}
-
-/// How many rows to expect with sides for 3/4 of `capacity`, when `rows` rows have `count` sides.
-fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
-    let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-    let Some(count) = NonZeroU32::new(count) else { return rows };
-    // Below 2^15 times 2^16.
-    let share = unsigned(rows.min(0x7fff)).wrapping_mul(capacity.wrapping_sub(capacity >> 2)) / count;
-    signed(share).max(1)
-}
-
-/// What [`load`] found: sides that cross the band or lie left of it, and the rows that they cross there.
-struct Loaded {
-    count: usize,
-    first: i32,
-    end: i32,
 }
 
 /// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full.
