@@ -15,7 +15,7 @@
 //!     c       its chord as a vector: P(t + h) - P(t)
 //!     s       time within the part, from 0 at its start to 1 at its end
 //!     W(s)    its bend, a vector: h^2 P''(t + s h) / 2, half of the second derivative by s; linear in s
-//!     D       the tolerance, 32 units
+//!     D       the tolerance: 32 units; 2 for coverage
 //!     a x b   the cross product ax by - ay bx;   a b   the scalar product ax bx + ay by;   |a|   the length of a
 //! ```
 //! **How far a part is from its chord.** The inner control points of the part are the points at one and two thirds of
@@ -45,11 +45,12 @@
 //! time `t + i h / m`, rounded to the nearest 2^-20.
 //!
 //! A vertex is the exact point of the curve, rounded to the nearest unit (halves upwards). With everything that is
-//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve. A curve and the same curve from its end to
+//! rounded above, lines stay within 34.6 units (0.136 pixels) of the curve; for coverage, within 3.3 units (1/77 pixel), or 4.3
+//! where a chord is longer than 128 pixels. A curve and the same curve from its end to
 //! its start have the same vertices: shapes that share it leave no gap.
 //!
-//! **Work.** A curve has 2^15 pieces at most, when its control points are at the ends of the type, and fewer halvings
-//! than pieces. A part that lies as a whole on one side of the window, tolerance included, becomes its chord however
+//! **Work.** A curve has 2^15 pieces at most, or 2^17 for coverage, when its control points are at the ends of the type, and fewer
+//! halvings than pieces. A part that lies as a whole on one side of the window, tolerance included, becomes its chord however
 //! much it bends. That changes no pixel of a fill: of what lies left of the window it only matters how often a row is
 //! crossed in each direction, and the ends of the part decide that; what lies above, below or right of the window does
 //! not matter.
@@ -77,8 +78,6 @@ use crate::{
 
 /// Whether small curves are followed in 32 bits; built for size, all are in 64.
 const NARROW: bool = !COMPACT;
-/// 4 D is `2^7` units: the tolerance D is 32 of them.
-const FOUR_D_BITS: u32 = 7;
 /// Times are in units of `2^-20`.
 const TIME_BITS: u32 = 20;
 /// The time at the end of a curve.
@@ -107,6 +106,12 @@ impl<'a> Path<'a> {
     pub fn contours_in(self, window: Rect) -> Contours<Slice<'a>> {
         Contours::within(self, window)
     }
+
+    /// The contours for a fill with soft rims, of which only `window` is seen: see [`Contours::finely_within`].
+    #[inline]
+    pub fn fine_contours_in(self, window: Rect) -> Contours<Slice<'a>> {
+        Contours::finely_within(self, window)
+    }
 }
 
 impl<I: Segments> Contours<I> {
@@ -128,6 +133,12 @@ impl<I: Segments> Contours<I> {
     #[inline]
     pub fn within(path: impl IntoIterator<IntoIter = I>, window: Rect) -> Self {
         Self { view: View::of(window, 0), ..Self::new(path) }
+    }
+
+    /// The contours for a fill with soft rims, of which only `window` is seen: cut finer. See [`flatten`](self).
+    #[inline]
+    pub fn finely_within(path: impl IntoIterator<IntoIter = I>, window: Rect) -> Self {
+        Self { view: View::of(window, 0).finely(), ..Self::new(path) }
     }
 
     /// The contours for something that is drawn up to `reach` units (1/256 pixel) around them, of which only `window`
@@ -221,7 +232,7 @@ impl<I: Segments> Contour<I> {
     /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
     #[inline]
     pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<I> {
-        let contour = if everywhere { Self { view: View::ALL, ..self } } else { self };
+        let contour = if everywhere { Self { view: self.view.everywhere(), ..self } } else { self };
         let mut front = Front { contour, view, until: None };
         front.leave_out(hides_corner);
         front
@@ -412,7 +423,7 @@ impl Bezier {
                 self.ahead = (end, self.at(end));
             }
             let bends = self.bends(part);
-            part.pieces = bends.pieces(self.last, self.ahead.1);
+            part.pieces = bends.pieces(self.last, self.ahead.1, view.tolerance);
             if part.pieces == 0 && !self.is_inside && bends.lie_beside(view, self.last, self.ahead.1) {
                 part.pieces = 1;
             }
@@ -435,7 +446,7 @@ impl Bezier {
                     return 0;
                 }
                 (end, to, level) = (start, from, start.trailing_zeros());
-            } else if bends.pieces(from, to) != 0 {
+            } else if bends.pieces(from, to, view.tolerance) != 0 {
                 return end;
             } else {
                 level = level.wrapping_sub(1);
@@ -469,11 +480,11 @@ impl Bezier {
 struct Bends((i32, i32), (i32, i32));
 
 impl Bends {
-    /// How many pieces the part between two places is cut into; 0 if it is halved instead.
+    /// How many pieces the part between two places is cut into; 0 if it is halved instead. 4 D is `2^tolerance`.
     ///
     /// Coordinates of W and of the chord are below 2^15: sums of two products fit 31 bits.
     #[inline(always)]
-    fn pieces(&self, from: PointFx, to: PointFx) -> u32 {
+    fn pieces(&self, from: PointFx, to: PointFx, tolerance: u32) -> u32 {
         let &Self(first, second) = self;
         if !are_small(first, second) {
             return 0;
@@ -481,10 +492,11 @@ impl Bends {
         let (c, scale) = chord(bits(from), bits(to));
         let square = product(c, c);
         let flat = |w: (i32, i32)| {
-            if square < 1 << (2 * FOUR_D_BITS) {
-                return product(w, w) <= 1 << (2 * FOUR_D_BITS);
+            let least = 1_u32.wrapping_shl(tolerance.wrapping_mul(2));
+            if square < least {
+                return product(w, w) <= least;
             }
-            let across = cross(w, c).unsigned_abs() >> FOUR_D_BITS;
+            let across = cross(w, c).unsigned_abs().wrapping_shr(tolerance);
             let along = product(w, c).wrapping_shr(scale);
             along <= square && across >> 16 == 0 && across.wrapping_mul(across) <= square
         };
@@ -501,7 +513,7 @@ impl Bends {
         let longer = product(start, start).max(product(end, end));
         let mut pieces = 1_u32;
         // The lowest m with |W| <= 4 D m^2, both sides squared.
-        while pieces.wrapping_mul(pieces).wrapping_shl(FOUR_D_BITS).wrapping_pow(2) < longer {
+        while pieces.wrapping_mul(pieces).wrapping_shl(tolerance).wrapping_pow(2) < longer {
             pieces = pieces.wrapping_add(1);
         }
         let (p, q) = (cross(start, c), cross(end, c));

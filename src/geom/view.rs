@@ -10,17 +10,34 @@ pub(crate) struct View {
     y0: i32,
     x1: i32,
     y1: i32,
+    /// How far lines may be from the curves that they stand for: a quarter of `2^tolerance` units.
+    pub(super) tolerance: u32,
 }
+
+/// 32 units, 1/8 pixel.
+const USUAL: u32 = 7;
+/// 2 units, 1/128 pixel.
+const FINE: u32 = 3;
 
 impl View {
     /// Everywhere.
-    pub(crate) const ALL: Self = Self { x0: i32::MIN, y0: i32::MIN, x1: i32::MAX, y1: i32::MAX };
+    pub(crate) const ALL: Self = Self { x0: i32::MIN, y0: i32::MIN, x1: i32::MAX, y1: i32::MAX, tolerance: USUAL };
 
     /// A window, with a margin of `reach` units around it.
     pub(crate) fn of(window: Rect, reach: u32) -> Self {
         let low = |n: i32| saturate((i64::from(n) << 8).wrapping_sub(i64::from(reach)));
         let high = |n: i32| saturate((i64::from(n) << 8).wrapping_add(i64::from(reach)));
-        Self { x0: low(window.x0), y0: low(window.y0), x1: high(window.x1), y1: high(window.y1) }
+        Self { x0: low(window.x0), y0: low(window.y0), x1: high(window.x1), y1: high(window.y1), tolerance: USUAL }
+    }
+
+    /// The same, with curves cut finer: for coverage, which shows more of them than pixels do.
+    pub(crate) const fn finely(self) -> Self {
+        Self { tolerance: FINE, ..self }
+    }
+
+    /// Everywhere, with the same tolerance.
+    pub(super) const fn everywhere(self) -> Self {
+        Self { tolerance: self.tolerance, ..Self::ALL }
     }
 
     /// Whether the box around two places, with a margin of `slack` units, lies beside the view: as a whole left of it,
@@ -37,9 +54,9 @@ impl View {
 
     /// With a margin of so many units around it.
     pub(crate) fn wider(self, units: u32) -> Self {
-        let Self { x0, y0, x1, y1 } = self;
+        let Self { x0, y0, x1, y1, tolerance } = self;
         let (low, high) = (|n: i32| n.saturating_sub_unsigned(units), |n: i32| n.saturating_add_unsigned(units));
-        Self { x0: low(x0), y0: low(y0), x1: high(x1), y1: high(y1) }
+        Self { x0: low(x0), y0: low(y0), x1: high(x1), y1: high(y1), tolerance }
     }
 
     /// Whether the box around some places lies beside the view.
