@@ -33,6 +33,11 @@ impl<S: Surface + ?Sized, P: Paint<S>> Sink for Brush<'_, S, P> {
     }
 
     #[inline(always)]
+    fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
+        self.paint.coverage(self.surface, span, levels);
+    }
+
+    #[inline(always)]
     fn steps(&mut self, steps: Steps) {
         self.paint.steps(self.surface, steps);
     }

@@ -26,6 +26,13 @@ pub trait Paint<S: Surface + ?Sized> {
         }
     }
 
+    /// Paints pixels of one row that a shape covers in part: of each, so many 255ths as `levels` says, from left to right. By
+    /// default, those that are covered by half or more, as if they were covered as a whole.
+    #[inline]
+    fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
+        span.covered(levels, |span| self.span(on, span));
+    }
+
     /// Paints a line one pixel wide. By default, row by row.
     #[inline]
     fn steps(&mut self, on: &mut S, steps: Steps) {
@@ -50,6 +57,11 @@ impl<S: Surface + ?Sized, P: Paint<S> + ?Sized> Paint<S> for &mut P {
     #[inline(always)]
     fn area(&mut self, on: &mut S, area: Rect) {
         (**self).area(on, area);
+    }
+
+    #[inline(always)]
+    fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
+        (**self).coverage(on, span, levels);
     }
 
     #[inline(always)]

@@ -112,6 +112,22 @@ impl ClippedSpan {
         }
     }
 
+    /// Calls `f` with the runs of pixels, from left to right, whose level is 128 or more.
+    pub(crate) fn covered(self, levels: &[u8], mut f: impl FnMut(Self)) {
+        let (mut x, mut start) = (self.x0, None);
+        for &level in levels {
+            if level >= 128 {
+                start.get_or_insert(x);
+            } else if let Some(x0) = start.take() {
+                f(Self { x0, x1: x, ..self });
+            }
+            x = x.wrapping_add(1);
+        }
+        if let Some(x0) = start {
+            f(Self { x0, x1: x, ..self });
+        }
+    }
+
     /// Number of pixels, at least 1.
     #[inline(always)]
     #[expect(clippy::len_without_is_empty, reason = "it is never empty")]

@@ -32,6 +32,13 @@ pub trait Sink {
         }
     }
 
+    /// Pixels of one row that a shape covers in part: of each, so many 255ths as `levels` says, from left to right. There are as
+    /// many levels as pixels. By default, those that are covered by half or more, as spans: the shape without soft rims.
+    #[inline]
+    fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
+        span.covered(levels, |span| self.span(span));
+    }
+
     /// Pixels of a line one pixel wide. By default, row by row.
     #[inline]
     fn steps(&mut self, steps: Steps) {
