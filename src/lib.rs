@@ -34,6 +34,7 @@ pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};
 pub use raster::{
     arc::Sector,
+    coverage::CoverageSlot,
     ellipse::Ellipse,
     polygon::EdgeSlot,
     rounded::Radii,

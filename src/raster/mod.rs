@@ -19,6 +19,7 @@
 //!
 //! Functions named `extent` return a box that encloses a shape, without drawing it.
 
+pub mod coverage;
 pub mod flood;
 pub mod line;
 pub mod outline;

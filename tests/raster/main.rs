@@ -1,6 +1,7 @@
 //! Geometry to spans: every shape against its twin, pixel by pixel.
 
 mod arc;
+mod coverage;
 mod drop_out;
 mod ellipse;
 mod exactly_once;

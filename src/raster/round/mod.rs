@@ -8,3 +8,6 @@ mod curve;
 mod disc;
 mod form;
 mod outline;
+mod smooth;
+
+pub(crate) use self::smooth::Smooth;

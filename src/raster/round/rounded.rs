@@ -58,7 +58,7 @@ impl Radii {
         Self { top_left: radius, top_right: radius, bottom_right: radius, bottom_left: radius }
     }
 
-    fn limited(self, area: Rect) -> Self {
+    pub(super) fn limited(self, area: Rect) -> Self {
         let limit = area.width().min(area.height()) / 2;
         let Self { top_left, top_right, bottom_right, bottom_left } = self;
         Self {

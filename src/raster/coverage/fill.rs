@@ -1,0 +1,260 @@
+//! The fill: sides out of contours into the table, and down the rows.
+
+use core::{borrow::Borrow, cell::Cell};
+
+use super::{
+    row::Row,
+    slot::{last_row, CoverageSlot, END},
+    strip::{enough_for, needed, Strip},
+};
+use crate::{
+    error::EdgeTableFull,
+    geom::{bits, fill_rule::FillRule, PointFx},
+    num::cast::{index, index_u16, signed, unsigned},
+    raster::bands::{in_bands, Loaded},
+    span::{Rect, Sink},
+};
+
+/// Places lie in the rows and columns from `-PLACES` up to this one.
+const PLACES: i32 = 1 << 23;
+
+/// Cells that are always there: for 32 pixels.
+const FEWEST: usize = needed(32);
+
+/// How many cells a window of so many columns takes, if its rows are not to be drawn in strips.
+/// ```
+/// use embedded_raster::raster::coverage;
+/// let cells = [0; coverage::cells(320)];
+/// assert_eq!(size_of_val(&cells), 1324);
+/// ```
+pub const fn cells(width: u16) -> usize {
+    needed(width as usize)
+}
+
+/// Tells what a polygon covers of the pixels of `window`, top row first and each row from left to right.
+///
+/// * `contours`: closed outlines, the last vertex joined to the first; any coordinates, any order. It is iterated several
+///   times, as that of [`polygon::fill`](crate::raster::polygon::fill).
+/// * `table`: scratch memory. Sides that touch no row of the window take no slot; nor do sides that lie right of it, and
+///   horizontal ones.
+/// * `cells`: scratch memory of any length; what it holds does not matter. [`cells`] says how much is enough.
+///
+/// # Errors
+/// [`EdgeTableFull`] if a single row is touched by more sides than `table` holds. Nothing was told then.
+/// ```
+/// use embedded_raster::{raster::coverage, ClippedSpan, CoverageSlot, FillRule, PointFx, Rect, Sink};
+/// struct Told(Vec<(i32, Vec<u8>)>);
+/// impl Sink for &mut Told {
+///     fn span(&mut self, span: ClippedSpan) {
+///         self.0.push((span.x0(), vec![255; span.len() as usize]));
+///     }
+///     fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
+///         self.0.push((span.x0(), levels.to_vec()));
+///     }
+/// }
+/// let slope = [(0, 0), (6, 0), (3, 1), (0, 1)].map(|(x, y)| PointFx::px(x, y));
+/// let mut told = Told(vec![]);
+/// let (mut table, mut cells) = ([CoverageSlot::EMPTY; 4], [0; coverage::cells(8)]);
+/// coverage::fill([slope], FillRule::NonZero, &mut table, &mut cells, Rect::new(0, 0, 8, 1), &mut told)?;
+/// assert_eq!(told.0, [(0, vec![255; 3]), (3, vec![213, 128, 43])]);
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[inline]
+#[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
+pub fn fill<C>(
+    contours: C,
+    rule: FillRule,
+    table: &mut [CoverageSlot],
+    cells: &mut [i32],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull>
+where
+    C: IntoIterator + Clone,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    fill_bands(|_| contours.clone(), rule, (table, cells), window, sink)
+}
+
+/// A box that encloses the pixels that a polygon touches.
+/// ```
+/// use embedded_raster::{raster::coverage, PointFx, Rect};
+/// let kite = [(800, 0), (1536, 512), (800, 2305), (1, 512)].map(|(x, y)| PointFx::from_bits(x, y));
+/// assert_eq!(coverage::extent([kite]), Rect::new(0, 0, 6, 10));
+/// ```
+pub fn extent<C>(contours: C) -> Rect
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
+    for vertex in contours.into_iter().flatten() {
+        let (x, y) = bits(*vertex.borrow());
+        low = (low.0.min(x), low.1.min(y));
+        high = (high.0.max(x), high.1.max(y));
+    }
+    if low.0 >= high.0 || low.1 >= high.1 {
+        return Rect::default();
+    }
+    let end = |last: i32| last_row(last).wrapping_add(1);
+    Rect { x0: low.0 >> 8, y0: low.1 >> 8, x1: end(high.0), y1: end(high.1) }
+}
+
+/// As [`fill`]. The contours are asked for by the part of the window that they are to be filled in: they may lack whatever does
+/// not touch its rows.
+pub(crate) fn fill_bands<C>(
+    contours: impl Fn(Rect) -> C,
+    rule: FillRule,
+    (table, cells): (&mut [CoverageSlot], &mut [i32]),
+    window: Rect,
+    mut sink: impl Sink,
+) -> Result<(), EdgeTableFull>
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    let window = window.intersection(Rect { x0: -PLACES, y0: -PLACES, x1: PLACES, y1: PLACES });
+    if window.is_empty() {
+        return Ok(());
+    }
+    let mut fewest = [0; FEWEST];
+    let pixels = index(signed(window.width()));
+    let is_short = enough_for(cells.len()) < pixels.min(32);
+    let mut strip = Strip::new(if is_short { &mut fewest } else { cells }, pixels);
+    // Places in the table are 16 bits; the last one means "none".
+    let slots = table.len().min(usize::from(END));
+    let Some(table) = table.get_mut(..slots) else { return Ok(()) };
+    in_bands(
+        table,
+        window,
+        |band, table| load(contours(band), band, table),
+        |table, loaded| scan(table, loaded, rule, window, &mut strip, &mut sink),
+    )
+}
+
+/// Fills the table with the sides that touch the rows of a band, but for those right of it; goes on counting when it is full.
+fn load<C>(contours: C, band: Rect, table: &mut [CoverageSlot]) -> Loaded
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    #[cfg(test)]
+    crate::num::tally::add(crate::num::tally::Work::Band);
+    let mut loaded = Loaded { count: 0, first: band.y1, end: band.y0 };
+    let mut add = |a: (i32, i32), b: (i32, i32)| {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Edge);
+        let (top, bottom) = (a.1.min(b.1), a.1.max(b.1));
+        let (y, last) = ((top >> 8).max(band.y0), last_row(bottom).min(band.y1.wrapping_sub(1)));
+        if top == bottom || y > last || a.0.min(b.0) >> 8 >= band.x1 {
+            return;
+        }
+        loaded.first = loaded.first.min(y);
+        loaded.end = loaded.end.max(last.wrapping_add(1));
+        if let Some(slot) = table.get_mut(loaded.count) {
+            slot.put(a, b, y, band);
+        }
+        loaded.count = loaded.count.wrapping_add(1);
+    };
+    for contour in contours {
+        let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
+        let Some(first) = vertices.next() else { continue };
+        let mut last = first;
+        for vertex in vertices {
+            add(last, vertex);
+            last = vertex;
+        }
+        add(last, first);
+    }
+    loaded
+}
+
+/// Sorts the sides by their first row into buckets of `2^shift` rows, fewer buckets than sides, and returns the shift.
+///
+/// A bucket joins the active sides as a whole, when its first row comes. So some sides are looked at before their time; on at most
+/// `2^shift` rows each, which are twice the rows of the band for all sides together.
+fn sort_in(table: &[CoverageSlot], loaded: &Loaded) -> u32 {
+    let rows = unsigned(loaded.end.wrapping_sub(loaded.first));
+    let mut shift = 0;
+    while shift < 31 && index(signed(rows.wrapping_shr(shift))) >= table.len() {
+        shift = shift.wrapping_add(1);
+    }
+    let mut place = 0;
+    for side in table {
+        let first = side.first_row().max(loaded.first).wrapping_sub(loaded.first);
+        if let Some(slot) = table.get(index(first).wrapping_shr(shift)) {
+            side.link.set(slot.bucket.replace(place));
+        }
+        place = index_u16(usize::from(place).wrapping_add(1));
+    }
+    shift
+}
+
+/// The side at a place; `None` at the end of a list.
+#[inline(always)]
+fn get(table: &[CoverageSlot], place: u16) -> Option<&CoverageSlot> {
+    table.get(usize::from(place))
+}
+
+/// Draws the rows of the band whose sides were loaded.
+fn scan(
+    table: &[CoverageSlot],
+    loaded: &Loaded,
+    rule: FillRule,
+    window: Rect,
+    strip: &mut Strip<'_>,
+    sink: &mut impl Sink,
+) {
+    let Some(table) = table.get(..loaded.count) else { return };
+    let shift = sort_in(table, loaded);
+    let active = Cell::new(END);
+    let width = window.width();
+    for y in loaded.first..loaded.end {
+        let passed = unsigned(y.wrapping_sub(loaded.first));
+        if passed.wrapping_shr(shift).wrapping_shl(shift) == passed {
+            join(table, &active, index(signed(passed.wrapping_shr(shift))));
+        }
+        let mut from = 0;
+        while from < width && active.get() != END {
+            from = strip.move_to(window.x0, from, width);
+            cover(table, &active, y, strip, from >= width);
+            let mut row = Row::new(sink, y, strip.column);
+            strip.sum_up(rule, &mut row);
+            row.tell();
+        }
+    }
+}
+
+/// Lets the sides of a bucket join the active ones.
+fn join(table: &[CoverageSlot], active: &Cell<u16>, bucket: usize) {
+    let first = table.get(bucket).map_or(END, |slot| slot.bucket.get());
+    let Some(mut last) = get(table, first) else { return };
+    while let Some(side) = get(table, last.link.get()) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
+        last = side;
+    }
+    last.link.set(active.replace(first));
+}
+
+/// Adds what all active sides cover in a strip of row y. With the last strip, sides that end here are dropped.
+#[inline(never)]
+fn cover(table: &[CoverageSlot], active: &Cell<u16>, y: i32, strip: &mut Strip<'_>, is_last_strip: bool) {
+    let mut end = active;
+    while let Some(side) = get(table, end.get()) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
+        if side.first_row() <= y {
+            side.cover(y, strip, is_last_strip);
+            if is_last_strip && side.last_row() == y {
+                end.set(side.link.get());
+                continue;
+            }
+        }
+        end = &side.link;
+    }
+}
