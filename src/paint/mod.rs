@@ -54,18 +54,22 @@
 
 mod brush;
 pub mod colors;
+mod cover;
 pub mod depth;
 mod dither;
 pub mod gradient;
+mod ramp;
 mod shade;
 mod solid;
 mod traits;
 
 pub use self::{
     brush::Brush,
+    cover::{Alpha, Cover, Over},
     depth::DepthShade,
     dither::Bayer,
     gradient::{Linear, Outside, Radial},
+    ramp::{CoverIndex, Dithered, Ramp},
     shade::{Shade, ShadeSome},
     solid::Solid,
     traits::Paint,

@@ -37,6 +37,26 @@ pub trait Channels: PixelColor {
             low_u8(sum.wrapping_add(127) / 255)
         })
     }
+
+    /// The colour that is `share` of 65,025 parts, `255^2`, on the way from one colour to another: of each channel the nearest
+    /// level. For a product of two levels, such as a coverage and an alpha, that is rounded once.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::pixel::Channels;
+    /// let half_of_a_third = 128 * 85;
+    /// assert_eq!(Gray8::between_fine([Gray8::new(0), Gray8::new(240)], half_of_a_third), Gray8::new(40));
+    /// ```
+    #[inline]
+    fn between_fine(ends: [Self; 2], share: u16) -> Self {
+        const ALL: u32 = 255 * 255;
+        let after = u32::from(share).min(ALL);
+        let before = ALL.wrapping_sub(after);
+        Self::mixed(ends, |[a, b]| {
+            // Below 2^24.
+            let sum = u32::from(a).wrapping_mul(before).wrapping_add(u32::from(b).wrapping_mul(after));
+            low_u8(sum.wrapping_add(ALL / 2) / ALL)
+        })
+    }
 }
 
 macro_rules! channels {
