@@ -1,5 +1,6 @@
 //! [`Canvas`]: shapes on surfaces, the everyday API.
 
+mod antialias;
 mod flood;
 mod ink;
 
@@ -8,6 +9,7 @@ use core::{borrow::Borrow, iter::once};
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
 
+pub use self::antialias::Antialias;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},

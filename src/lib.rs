@@ -19,7 +19,7 @@ mod span;
 pub mod surface;
 mod tune;
 
-pub use canvas::Canvas;
+pub use canvas::{Antialias, Canvas};
 pub use error::{
     BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, SvgError, SvgExpected, TriangleTooLarge,
     TriangulateError,

@@ -8,20 +8,22 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     geom::{self, clip, delaunay, exact, polygon as outlines, triangulate, Contours, Outlines},
+    paint::Ramp,
     pixel::{self, Be, Lsb0},
     raster::{
-        arc, ellipse,
+        arc, coverage, ellipse,
         flood::{self, FloodTarget},
         line, outline, polygon, rectangle, rounded, stroke, triangle,
     },
     surface::{paged_bytes, Counter},
-    Angle, ClippedSpan, Ellipse, Index1, Index2, Index4, Index8, Layout, Octants, Palette, Path, PointFx, Radii, Rect,
-    Sector, Steps, Stroke, Surface, Viewport,
+    Angle, ClippedSpan, CoverageSlot, Ellipse, Index1, Index2, Index4, Index8, Layout, Octants, Palette, Path, PointFx,
+    Radii, Rect, Sector, Sink, Steps, Stroke, Surface, Viewport,
 };
 use fixed::types::I16F16;
 
 use crate::{
     answer::{sum, Answer},
+    antialias::{self, with_scratch},
     calls, Arguments,
 };
 
@@ -78,6 +80,33 @@ calls! {
         stroke::fill_polyline(a.contour, a.flag, &a.stroke, a.table, window, add(&mut sum)).map(|()| sum)
     };
     extent => stroke::extent(path, &a.stroke);
+    // Coverage, in the files that its functions are in.
+    [fill]
+    cells => coverage::cells(a.halves(0)[0]);
+    extent => coverage::extent([a.contour]);
+    fill => covered(|table, cells, look| {
+        let (first, second) = a.contour.split_at_checked(a.length(5) % 8).unwrap_or((a.contour, &[]));
+        coverage::fill([first, second], rule, table, cells, window, look).is_ok()
+    });
+    [line]
+    line => covered(|_, cells, look| { coverage::line(p, q, cells, window, look); true });
+    [shapes]
+    path => covered(|table, cells, look| coverage::path(path, rule, table, cells, window, look).is_ok());
+    stroke => covered(|table, cells, look| {
+        coverage::stroke(path, &a.stroke.dashed(a.dashes, a.phase), table, cells, window, look).is_ok()
+    });
+    stroke_polyline => covered(|table, cells, look| {
+        coverage::stroke_polyline(a.contour, a.flag, &a.stroke, (table, cells), window, look).is_ok()
+    });
+    ellipse => covered(|table, cells, look| coverage::ellipse(ellipse, table, cells, window, look).is_ok());
+    rounded => covered(|table, cells, look| coverage::rounded(area, a.radii, table, cells, window, look).is_ok());
+    triangle => covered(|_, cells, look| { coverage::triangle(a.corners_fx(), cells, window, look); true });
+    rectangle => covered(|_, _, look| { coverage::rectangle(p, q, window, look); true });
+    [Ramp]
+    of_palette => antialias::mixed(a);
+    color => Ramp::<_, 7>::new([n, m, 3, 4, 5, 6, 7]).color(a.byte(0));
+    [CoverIndex]
+    new => antialias::mixed(a);
     [triangle]
     fill => spans(|look| triangle::fill(a.corners_fx(), window, look));
     extent => triangle::extent(a.corners_fx());
@@ -218,6 +247,7 @@ calls! {
     segments => path.segments().len();
     contours => sum(path.contours().take(3).map(|contour| sum(contour.take(50))));
     contours_in => sum(path.contours_in(window).map(sum));
+    fine_contours_in => sum(path.fine_contours_in(window).map(sum));
     outlines => path.outlines::<50, 2>().map(|outlines| outlines.vertices.len());
     [Contours]
     next => { let mut contours: Contours<_> = path.contours(); contours.next().map(|contour| contour.is_closed()) };
@@ -304,6 +334,26 @@ fn spans(shape: impl FnOnce(&mut dyn FnMut(ClippedSpan))) -> usize {
     let mut sum = 0;
     shape(&mut add(&mut sum));
     sum
+}
+
+/// A sink that computes a sum of all spans and levels.
+struct Covered<'a>(&'a mut usize);
+
+impl Sink for Covered<'_> {
+    fn span(&mut self, span: ClippedSpan) {
+        *self.0 = (*self.0, span).answer();
+    }
+
+    fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
+        *self.0 = levels.iter().fold((*self.0, span).answer(), |sum, &level| (sum, level).answer());
+    }
+}
+
+/// What a shape with soft rims says, and whether it had memory enough.
+fn covered(shape: impl FnOnce(&mut [CoverageSlot], &mut [i32], Covered<'_>) -> bool) -> (usize, bool) {
+    let mut sum = 0;
+    let is_drawn = with_scratch(|table, cells| shape(table, cells, Covered(&mut sum)));
+    (sum, is_drawn)
 }
 
 /// What is open by a rule, and painted in up to 32 pixels.

@@ -19,6 +19,7 @@
 #![no_std]
 
 pub mod answer;
+pub mod antialias;
 pub mod computing;
 pub mod frames;
 pub mod paths;
@@ -26,6 +27,7 @@ pub mod present;
 pub mod shading;
 pub mod space;
 
+use antialias::with_scratch;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
@@ -36,7 +38,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
-    paint::{depth, DepthShade, Linear, Radial, Shade, ShadeSome},
+    paint::{depth, DepthShade, Dithered, Linear, Radial, Ramp, Shade, ShadeSome},
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
@@ -44,8 +46,8 @@ use embedded_raster::{
         triangle,
     },
     surface::Rows,
-    Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, PointFx, Radii, Readable, Rect,
-    Sector, Sink, Solid, Span, Stroke, Surface,
+    Antialias, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, PointFx, Radii, Readable,
+    Rect, Sector, Sink, Solid, Span, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use shading::with_depths;
@@ -221,6 +223,31 @@ calls! {
     blit => on.blit(a.points[0], &a.picture);
     blit_keyed => on.blit_keyed(a.points[0], &a.picture, a.colors[1]);
     blit_mask => on.blit_mask(a.points[0], &a.mask, c, a.flag.then_some(a.colors[1]));
+    [Antialias]
+    draw_line_aa => on.draw_line_aa(a.places[0], a.places[1], &mut [], Solid(c));
+    fill_rectangle_aa => on.fill_rectangle_aa(a.places[0], a.places[1], Dithered::<_, 4>(c));
+    fill_triangle_aa => on.fill_triangle_aa(corners, &mut [], Dithered::<_, 2>(c));
+    fill_polygon_aa => with_scratch(|table, cells| on.fill_polygon_aa(a.contour, a.rule(), table, cells, Solid(c)));
+    fill_contours_aa => with_scratch(|table, cells| {
+        on.fill_contours_aa([a.contour, &a.places], a.rule(), table, cells, Dithered::<_, 8>(c))
+    });
+    fill_path_aa => with_scratch(|table, cells| {
+        on.fill_path_aa(Path::new(a.segments), a.rule(), table, cells, Dithered::<_, 4>(c))
+    });
+    fill_ellipse_aa => with_scratch(|table, cells| on.fill_ellipse_aa(a.ellipses[0], table, cells, Dithered::<_, 4>(c)));
+    fill_rounded_aa => with_scratch(|table, cells| on.fill_rounded_aa(a.areas[0], a.radii, table, cells, Solid(c)));
+    stroke_path_aa => with_scratch(|table, cells| {
+        let stroke = a.stroke.dashed(a.dashes, a.phase);
+        on.stroke_path_aa(Path::new(a.segments), &stroke, table, cells, Dithered::<_, 2>(c))
+    });
+    stroke_polyline_aa => with_scratch(|table, cells| {
+        on.stroke_polyline_aa(a.contour, a.flag, &a.stroke, table, cells, Solid(c))
+    });
+    stroke_line_aa => with_scratch(|table, cells| {
+        on.stroke_line_aa([a.places[0], a.places[1]], &a.stroke, table, cells, Dithered::<_, 4>(c))
+    });
+    [Ramp]
+    new => on.fill_triangle_aa(corners, &mut [], Ramp::new(a.colors));
     [Surface]
     fill_span => a.span().clip(window).map(|span| on.fill_span(span, c));
     fill_area => on.fill_area(a.areas[0], c);
