@@ -24,6 +24,7 @@ mod difference;
 pub mod film;
 mod finish;
 pub mod paint;
+mod path_data;
 mod picture;
 mod png;
 mod pnm;
@@ -35,5 +36,6 @@ pub mod world;
 
 pub use difference::Difference;
 pub use finish::finish;
+pub use path_data::path_data;
 pub use picture::{Picture, Pixels};
 pub use window::{show, watch, Event, Key, Shot, WindowError};
