@@ -17,3 +17,4 @@ pub mod engine;
 pub mod own;
 pub mod report;
 pub mod scene;
+pub mod soft;

@@ -3,7 +3,7 @@
 #![no_main]
 
 use bench::scene::{Format, Scene};
-use bench::{bound, eg, own, report};
+use bench::{bound, eg, own, report, soft};
 
 board::entry!(main);
 
@@ -14,6 +14,9 @@ fn main() {
     report::print(&own::GRAY8, &mut own::Frame::new(), &scene);
     report::print(&own::GRAY4, &mut own::Frame::new(), &scene);
     report::print(&own::BINARY, &mut own::Frame::new(), &scene);
+    report::print(&soft::RGB565, &mut soft::Frame::new(), &scene);
+    report::print(&soft::GRAY8, &mut soft::Frame::new(), &scene);
+    report::print(&soft::GRAY4, &mut soft::Frame::new(), &scene);
     report::print(&eg::RGB565, &mut eg::Rgb565Frame::new(), &scene);
     report::print(&eg::GRAY8, &mut eg::Gray8Frame::new(), &scene);
     report::print(&eg::GRAY4, &mut eg::Gray4Frame::new(), &scene);
