@@ -10,5 +10,6 @@ mod line;
 mod order;
 mod path;
 mod polygon;
+mod soft_shapes;
 mod stroke;
 mod triangle;

@@ -1,0 +1,166 @@
+//! Coverage of shapes that are not polygons: round shapes against areas under their curves, rectangles against polygons, the
+//! brightness of lines.
+#![allow(clippy::cast_precision_loss, reason = "areas under curves are computed in floating point")]
+
+use embedded_raster::{
+    raster::coverage::{self, CoverageSlot},
+    Ellipse, FillRule, PointFx, Radii, Rect, Stroke,
+};
+use fixed::types::I24F8;
+use twins::{
+    coverage::Levels,
+    rng::{cases, Rng},
+};
+
+fn told(window: Rect, shape: impl FnOnce(&mut [CoverageSlot], &mut [i32], &mut Levels)) -> Levels {
+    let mut levels = Levels::new(window);
+    shape(&mut [CoverageSlot::EMPTY; 64], &mut [0; 200], &mut levels);
+    levels
+}
+
+fn sum(levels: &Levels) -> f64 {
+    levels.levels.iter().map(|&level| f64::from(level) / 255.0).sum()
+}
+
+#[test]
+fn rectangles_are_polygons() {
+    let mut rng = Rng::new(1_500);
+    for _ in 0..cases(4_000) {
+        let reach = rng.pick(&[300, 2_000, 6_000, i32::MAX]);
+        let mut place = || (rng.int(-reach, reach), rng.int(-reach, reach));
+        let ((ax, ay), (bx, by)) = (place(), place());
+        let window = Rect::new(-11, -9, 12, 10);
+        let [a, b] = [(ax, ay), (bx, by)].map(|(x, y)| PointFx::from_bits(x, y));
+        let rectangle = told(window, |_, _, levels| coverage::rectangle(a, b, window, levels));
+        let corners = [(ax, ay), (bx, ay), (bx, by), (ax, by)].map(|(x, y)| PointFx::from_bits(x, y));
+        let polygon = told(window, |table, cells, levels| {
+            coverage::fill([corners], FillRule::NonZero, table, cells, window, levels).expect("enough slots");
+        });
+        assert!(rectangle.levels == polygon.levels, "{a:?} {b:?}\n{}\n{}", rectangle.picture(), polygon.picture());
+    }
+}
+
+/// How much of a pixel an ellipse covers: the mean of 256 chords.
+fn covered_by_ellipse((cx, cy): (f64, f64), (rx, ry): (f64, f64), (x, y): (i32, i32)) -> f64 {
+    let chord = |i: i32| {
+        let v = (f64::from(y) + (f64::from(i) + 0.5) / 256.0 - cy) / ry;
+        let half = rx * (1.0 - v * v).max(0.0).sqrt();
+        let inside = |place: f64| place.clamp(f64::from(x), f64::from(x + 1));
+        if v.abs() < 1.0 {
+            inside(cx + half) - inside(cx - half)
+        } else {
+            0.0
+        }
+    };
+    (0..256).map(chord).sum::<f64>() / 256.0
+}
+
+#[test]
+fn ellipses_cover_what_lies_in_their_curves() {
+    let (mut rng, mut worst) = (Rng::new(1_510), 0.0_f64);
+    for i in 0..cases(600) {
+        let reach = rng.pick(&[800, 3_000, 9_000, 40_000]);
+        let centre = (rng.int(-2_000, 2_000), rng.int(-2_000, 2_000));
+        let radii = (rng.int(1, reach), if i % 2 == 0 { rng.int(1, reach) } else { reach });
+        let radii = if i % 3 == 0 { (reach, reach) } else { radii };
+        let window = Rect::new(-15, -15, 16, 16);
+        // In a box of whole pixels now and then.
+        let units = |n: i32| f64::from(n) / 256.0;
+        let (ellipse, middle, half) = if i % 5 == 0 {
+            let (w, h) = (rng.int(1, 30), rng.int(1, 30));
+            let area = Rect::new(-14, -12, w - 14, h - 12);
+            let half = (f64::from(w) / 2.0, f64::from(h) / 2.0);
+            (Ellipse::in_box(area), (half.0 - 14.0, half.1 - 12.0), half)
+        } else {
+            let ellipse = Ellipse::new(
+                PointFx::from_bits(centre.0, centre.1),
+                I24F8::from_bits(radii.0),
+                I24F8::from_bits(radii.1),
+            );
+            (ellipse, (units(centre.0), units(centre.1)), (units(radii.0), units(radii.1)))
+        };
+        let got = told(window, |table, cells, levels| {
+            coverage::ellipse(ellipse, table, cells, window, levels).expect("enough slots");
+        });
+        for (x, y) in (-15..16).flat_map(|y| (-15..16).map(move |x| (x, y))) {
+            let error = f64::from(got.at(x, y)) - covered_by_ellipse(middle, half, (x, y)) * 255.0;
+            worst = worst.max(error.abs());
+            assert!(error.abs() <= 4.5, "{error} of a 255th at ({x}, {y}): {ellipse:?}");
+        }
+    }
+    println!("ellipses are at most {worst} 255ths off");
+}
+
+#[test]
+fn rounded_rectangles_cover_their_area() {
+    let window = Rect::new(-2, -2, 60, 50);
+    for radius in 0..18 {
+        let area = Rect::new(3, 4, 52, 41);
+        let got = told(window, |table, cells, levels| {
+            coverage::rounded(area, Radii::all(radius), table, cells, window, levels).expect("enough slots");
+        });
+        let corners = (4.0 - std::f64::consts::PI) * f64::from(radius * radius);
+        let wanted = 49.0 * 37.0 - corners;
+        // Chords lie inside of the arcs: at most 2.7 units, 2/3 of that on average, along a whole circle.
+        let chords = std::f64::consts::TAU * f64::from(radius) * 2.7 / 256.0 * 2.0 / 3.0;
+        assert!((sum(&got) - wanted).abs() < 0.1 + chords, "{radius}: {} for {wanted}", sum(&got));
+        for (x, y) in (4..41).flat_map(|y| (3..52).map(move |x| (x, y))) {
+            let mirrored = [(54 - x, y), (x, 44 - y)];
+            assert!(mirrored.iter().all(|&(u, v)| got.at(x, y).abs_diff(got.at(u, v)) <= 2), "{radius}: ({x}, {y})");
+        }
+    }
+}
+
+/// The sum over what a line covers is its length, at any angle and wherever it lies: it is as bright everywhere.
+#[test]
+fn lines_are_as_bright_at_any_angle() {
+    let mut rng = Rng::new(1_520);
+    let window = Rect::new(0, 0, 130, 130);
+    let (mut low, mut high) = (f64::MAX, 0.0_f64);
+    for degrees in 0..360 {
+        for _ in 0..4 {
+            let (x, y) = (rng.int(64 * 256, 66 * 256), rng.int(64 * 256, 66 * 256));
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            let away = |n: f64| (n * 60.0 * 256.0).round() as i32;
+            let ends = [(x, y), (x + away(cos), y + away(sin))];
+            let [a, b] = ends.map(|(x, y)| PointFx::from_bits(x, y));
+            let length = f64::from(ends[1].0 - x).hypot(f64::from(ends[1].1 - y)) / 256.0;
+            let got = told(window, |_, cells, levels| coverage::line(a, b, cells, window, levels));
+            let brightness = sum(&got) / length;
+            (low, high) = (low.min(brightness), high.max(brightness));
+            let back = told(window, |_, cells, levels| coverage::line(b, a, cells, window, levels));
+            assert!(
+                got.levels.iter().zip(&back.levels).all(|(a, b)| a.abs_diff(*b) <= 2),
+                "{degrees} degrees, and back"
+            );
+        }
+    }
+    println!("lines have a brightness from {low} to {high}");
+    assert!(low > 0.99 && high < 1.01, "{low} to {high}");
+}
+
+#[test]
+fn lines_end_where_they_are_told() {
+    let window = Rect::new(0, 0, 8, 3);
+    let line = |ax, bx, y| {
+        let [a, b] = [PointFx::from_bits(ax, y), PointFx::from_bits(bx, y)];
+        told(window, |_, cells, levels| coverage::line(a, b, cells, window, levels)).levels
+    };
+    let row = [0, 128, 255, 255, 64, 0, 0, 0];
+    assert_eq!(line(384, 1_088, 384), [&[0; 8][..], &row, &[0; 8]].concat());
+    assert_eq!(line(1_088, 384, 384), [&[0; 8][..], &row, &[0; 8]].concat());
+    assert_eq!(line(400, 400, 384), [0; 24], "a line of no length");
+}
+
+#[test]
+fn strokes_of_lines_are_rectangles() {
+    let window = Rect::new(0, 0, 20, 12);
+    let ends = [PointFx::from_bits(600, 1_500), PointFx::from_bits(4_200, 1_500)];
+    let stroke = told(window, |table, cells, levels| {
+        let stroke = Stroke::px(3);
+        coverage::stroke_polyline(&ends, false, &stroke, (table, cells), window, levels).expect("enough slots");
+    });
+    let [a, b] = [PointFx::from_bits(600, 1_500 - 384), PointFx::from_bits(4_200, 1_500 + 384)];
+    let rectangle = told(window, |_, _, levels| coverage::rectangle(a, b, window, levels));
+    assert!(stroke.levels == rectangle.levels, "{}\n{}", stroke.picture(), rectangle.picture());
+}
