@@ -24,12 +24,12 @@ pub(super) fn level_at(levels: &[u8], span: ClippedSpan, x: i32) -> u8 {
 /// One colour, with soft rims: where a shape covers a pixel in part, the colour is mixed with what is there.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Gray8;
-/// use embedded_raster::{paint::Cover, Canvas, Framebuffer, PointFx};
+/// use embedded_raster::{paint::Cover, Antialias, Framebuffer, PointFx};
 /// let mut ram = [100; 5];
 /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 1)?;
 /// let corners = [(0, 0), (4, 0), (0, 1)].map(|(x, y)| PointFx::px(x, y));
 /// frame.fill_triangle_aa(corners, &mut [], Cover(Gray8::new(200)));
-/// assert_eq!(ram, [187, 163, 137, 113, 100]); // 7/8, 5/8, 3/8 and 1/8 of the way from 100 to 200
+/// assert_eq!(ram, [187, 162, 138, 113, 100]); // 7/8, 5/8, 3/8 and 1/8 of the way from 100 to 200
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -106,8 +106,8 @@ where
 
 /// One colour with soft rims over a background of one colour, on surfaces that cannot be read.
 /// ```
-/// use embedded_graphics_core::{pixelcolor::{Gray8, GrayColor}};
-/// use embedded_raster::{paint::Over, Canvas, ClippedSpan, PointFx, Rect, Surface};
+/// use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+/// use embedded_raster::{paint::Over, Antialias, ClippedSpan, PointFx, Rect, Surface};
 /// /// A display behind a driver: it takes pixels and gives none back.
 /// struct Display([u8; 5]);
 /// impl Surface for Display {
@@ -122,7 +122,7 @@ where
 /// let mut display = Display([9; 5]);
 /// let corners = [(0, 0), (4, 0), (0, 1)].map(|(x, y)| PointFx::px(x, y));
 /// display.fill_triangle_aa(corners, &mut [], Over { color: Gray8::new(200), background: Gray8::new(100) });
-/// assert_eq!(display.0, [187, 163, 137, 113, 9]);
+/// assert_eq!(display.0, [187, 162, 138, 113, 9]);
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Over<C> {

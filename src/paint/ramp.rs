@@ -22,7 +22,7 @@ use crate::{
 /// the palette for each step. Without, [`Ramp::new`] takes any colours, such as shades that somebody chose.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb888;
-/// use embedded_raster::{paint::Ramp, Canvas, Framebuffer, Index4, Palette, PointFx};
+/// use embedded_raster::{paint::Ramp, Antialias, Framebuffer, Index4, Palette, PointFx};
 /// let palette = Palette::<Rgb888, 16>::greys();
 /// let mut ram = [0; 3];
 /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 5, 1)?;
@@ -117,7 +117,7 @@ impl<S: Surface, const N: usize> Paint<S> for Ramp<S::Color, N> {
 /// the mean of its old colour and the new one. That takes a search of the palette for each such pixel.
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb888;
-/// use embedded_raster::{paint::CoverIndex, Canvas, Framebuffer, Index4, Palette, PointFx};
+/// use embedded_raster::{paint::CoverIndex, Antialias, Framebuffer, Index4, Palette, PointFx};
 /// let palette = Palette::<Rgb888, 16>::greys();
 /// let mut ram = [0x00, 0xff, 0x77];
 /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 6, 1)?;
@@ -173,12 +173,12 @@ where
 /// soft on one bit per pixel so, as seen from some way off.
 /// ```
 /// use embedded_graphics_core::pixelcolor::BinaryColor;
-/// use embedded_raster::{paint::Dithered, Canvas, Framebuffer, PointFx};
+/// use embedded_raster::{paint::Dithered, Antialias, Framebuffer, PointFx};
 /// let mut ram = [0; 2];
 /// let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 8, 2)?;
 /// let corners = [(0, 0), (8, 0), (0, 2)].map(|(x, y)| PointFx::px(x, y));
 /// frame.fill_triangle_aa(corners, &mut [], Dithered::<_, 2>(BinaryColor::On));
-/// assert_eq!(ram, [0b1111_1101, 0b1110_0000]);
+/// assert_eq!(ram, [0b1111_0100, 0b1010_0000]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]

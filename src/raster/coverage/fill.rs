@@ -56,7 +56,7 @@ pub const fn cells(width: u16) -> usize {
 /// let mut told = Told(vec![]);
 /// let (mut table, mut cells) = ([CoverageSlot::EMPTY; 4], [0; coverage::cells(8)]);
 /// coverage::fill([slope], FillRule::NonZero, &mut table, &mut cells, Rect::new(0, 0, 8, 1), &mut told)?;
-/// assert_eq!(told.0, [(0, vec![255; 3]), (3, vec![213, 128, 43])]);
+/// assert_eq!(told.0, [(0, vec![255; 3]), (3, vec![212, 128, 43])]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 #[inline]
