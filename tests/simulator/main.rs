@@ -1,5 +1,6 @@
 //! What the simulator brings along: the paint program, the teapot, and the world.
 
+mod clock;
 mod paint;
 #[path = "../golden/compare.rs"]
 mod pictures;
