@@ -11,7 +11,7 @@ use crate::{
     error::EdgeTableFull,
     geom::{bits, fill_rule::FillRule, PointFx},
     num::cast::{index, index_u16, signed, unsigned},
-    raster::bands::{in_bands, Loaded},
+    raster::bands::{in_bands, Loaded, CHECKED},
     span::{Rect, Sink},
 };
 
@@ -130,6 +130,7 @@ where
     in_bands(
         table,
         window,
+        CHECKED,
         |band, table| load(contours(band), band, table),
         |table, loaded| scan(table, loaded, rule, window, &mut strip, &mut sink),
     )
