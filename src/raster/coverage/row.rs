@@ -26,14 +26,17 @@ impl<'s, S: Sink> Row<'s, S> {
     }
 
     /// The next pixel.
-    #[inline(always)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn put(&mut self, level: u8) {
         if level == 0 || self.len == CHUNK {
             self.tell();
         }
-        if let Some(place) = self.levels.get_mut(self.len).filter(|_| level != 0) {
-            *place = level;
-            self.len = self.len.wrapping_add(1);
+        if level != 0 {
+            if let Some(place) = self.levels.get_mut(self.len) {
+                *place = level;
+                self.len = self.len.wrapping_add(1);
+            }
         }
         self.x = self.x.wrapping_add(1);
     }
@@ -65,9 +68,16 @@ impl<'s, S: Sink> Row<'s, S> {
         }
     }
 
-    /// Tells the levels that wait.
-    #[inline(never)]
+    /// Tells the levels that wait, if there are any.
+    #[inline(always)]
     pub(super) fn tell(&mut self) {
+        if self.len != 0 {
+            self.tell_some();
+        }
+    }
+
+    #[inline(never)]
+    fn tell_some(&mut self) {
         let Some(levels) = self.levels.get(..self.len).filter(|levels| !levels.is_empty()) else { return };
         let x0 = self.x.wrapping_sub_unsigned(u32::try_from(self.len).unwrap_or_default());
         self.sink.coverage(ClippedSpan::inside(self.y, x0, self.x), levels);

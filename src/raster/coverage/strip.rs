@@ -27,7 +27,10 @@
 //!
 //! Source: the cells of R. Levien's font-rs, and those of D. Turner's `ftgrays.c` in FreeType.
 
-use core::{mem::take, num::NonZeroU32};
+use core::{
+    mem::{replace, take},
+    num::NonZeroU32,
+};
 
 use super::row::Row;
 use crate::{
@@ -46,6 +49,9 @@ const HEIGHT_BITS: u32 = AREA_BITS - GRID_BITS;
 /// So many bits more than an area has a height times a sum of two insets.
 const PRODUCT_BITS: u32 = 2 * GRID_BITS + 1 - AREA_BITS;
 
+/// No word has a bit.
+const NO_WORDS: (u32, u32) = (u32::MAX, 0);
+
 /// The cells of some columns of a row.
 #[derive(Debug)]
 pub(super) struct Strip<'a> {
@@ -53,6 +59,8 @@ pub(super) struct Strip<'a> {
     cells: &'a mut [i32],
     /// A bit for each pixel that a side goes through, the leftmost one the highest of its word.
     touched: &'a mut [i32],
+    /// The first of these words with a bit, and the last one.
+    words: (u32, u32),
     /// The sum before the first cell.
     carry: i32,
     /// Its first column.
@@ -85,7 +93,7 @@ impl<'a> Strip<'a> {
         let memory = memory.get_mut(..needed(pixels)).unwrap_or_default();
         memory.fill(0);
         let (cells, touched) = memory.split_at_mut_checked(pixels.wrapping_add(1)).unwrap_or_default();
-        Self { cells, touched, carry: 0, column: 0, width: 0, left: 0, right: 0 }
+        Self { cells, touched, words: NO_WORDS, carry: 0, column: 0, width: 0, left: 0, right: 0 }
     }
 
     /// Moves it so that it begins `from` pixels right of the left side `x0` of a window, and ends `end` pixels right of it at most.
@@ -117,7 +125,10 @@ impl<'a> Strip<'a> {
             self.cover_far(inside(from), inside(to), height, winding);
         } else if from < self.right {
             let inside = |x: i32| unsigned(x.wrapping_sub(self.left));
-            self.cover_columns(inside(from), inside(to), height, winding);
+            let (from, to) = (inside(from), inside(to));
+            let word = |x: u32| x >> (GRID_BITS + 5);
+            self.words = (self.words.0.min(word(from)), self.words.1.max(word(to)));
+            self.cover_columns(from, to, height, winding);
         }
     }
 
@@ -127,8 +138,11 @@ impl<'a> Strip<'a> {
     }
 
     /// Adds the part of a side that goes through one column, with the sum of the insets of its two ends.
-    #[inline(always)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn put(&mut self, column: u32, height: u32, insets: u32, winding: i32) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
         let column = index(signed(column));
         // Below 2^31, as both factors are at most 2^15 and 2^16, and half a unit.
         let product = height.wrapping_mul((2 * PIXEL).wrapping_sub(insets));
@@ -187,6 +201,7 @@ impl<'a> Strip<'a> {
         if from >= i64::from(self.width) << GRID_BITS {
             return;
         }
+        self.words = (0, self.width >> 5);
         // Below 2^41.
         let width = magnitude(to.wrapping_sub(from)).max(1);
         // Left of a place, so much of the height.
@@ -231,8 +246,13 @@ impl<'a> Strip<'a> {
         let (mut sum, column) = (take(&mut self.carry), self.column);
         let column = |cell: usize| column.wrapping_add(signed(low_u32(cell as u64)));
         let width = index(signed(self.width));
-        let (mut base, mut before) = (0_usize, 0);
-        for word in &mut *self.touched {
+        let (first, last) = replace(&mut self.words, NO_WORDS);
+        // The word after the last one may have the cell that follows the last pixel.
+        let (first, end) = (first as usize, (last as usize).saturating_add(2).min(self.touched.len()));
+        let (mut base, mut before) = (first.wrapping_mul(32), 0);
+        for word in self.touched.get_mut(first..end).unwrap_or_default() {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             let word = unsigned(take(word));
             // Of a pixel that a side goes through the next cell is touched, too.
             let mut rest = word | word >> 1 | before << 31;
@@ -273,6 +293,7 @@ fn level(sum: i32, rule: FillRule) -> u8 {
 }
 
 /// Quotient and remainder of two numbers whose quotient is at most `2^15`, and the divisor below `2^48`.
+#[inline(never)]
 fn short_ratio(mut n: u64, d: u64) -> (u32, u64) {
     let mut quotient = 0;
     for bit in (0..=GRID_BITS).rev() {
