@@ -7,10 +7,9 @@ use std::{error::Error, fs, process::ExitCode};
 
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_raster::{
-    paint::Cover, raster::coverage, Antialias, CoverageSlot, EdgeTableFull, FillRule, Framebuffer, Path, PathSegment,
-    Rect,
+    paint::Cover, raster::coverage, Antialias, CoverageSlot, FillRule, Framebuffer, Path, Rect, Svg,
 };
-use embedded_raster_simulator::{finish, path_data};
+use embedded_raster_simulator::finish;
 
 const USAGE: &str = "\
 usage: coverage --path DATA [--size WxH] [--fill nonzero|evenodd] [--out FILE.pgm]
@@ -34,8 +33,8 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let Some(options) = Options::parse(arguments)? else {
         return Ok(USAGE.into());
     };
-    let segments = path_data(options.path.as_deref().ok_or("--path is missing; --help tells the rest")?)?;
-    let levels = options.draw(&segments)?;
+    let path = Path::svg(options.path.as_deref().ok_or("--path is missing; --help tells the rest")?)?;
+    let levels = options.draw(path)?;
     let (width, height) = options.size;
     let file = [format!("P5\n{width} {height}\n255\n").as_bytes(), &levels].concat();
     fs::write(&options.out, file).map_err(|error| format!("{}: {error}", options.out))?;
@@ -90,7 +89,7 @@ impl Options {
     }
 
     /// The picture, row by row.
-    fn draw(&self, segments: &[PathSegment]) -> Result<Vec<u8>, Box<dyn Error>> {
+    fn draw(&self, path: Svg<'_>) -> Result<Vec<u8>, Box<dyn Error>> {
         let (width, height) = self.size;
         let mut levels = vec![0; usize::from(width) * usize::from(height)];
         let mut cells = vec![0; coverage::cells(self.strip.min(width))];
@@ -99,13 +98,14 @@ impl Options {
             let end = start.saturating_add(self.band).min(height);
             let rows = usize::from(start) * usize::from(width)..usize::from(end) * usize::from(width);
             let mut frame = Framebuffer::<Gray8>::band(&mut levels[rows], width, height, start..end)?;
-            let (path, paint) = (Path::new(segments), Cover(Gray8::new(255)));
+            let paint = Cover(Gray8::new(255));
             let mut frame = frame.clipped(self.clip);
-            // A table that is too small for one row says what it needs.
-            while let Err(EdgeTableFull { needed, .. }) =
-                frame.fill_path_aa(path, self.rule, &mut table, &mut cells, paint)
-            {
-                table.resize(needed.max(table.len() * 2), CoverageSlot::EMPTY);
+            // A table that is too small for one row says what is enough for all.
+            while let Err(error) = frame.fill_path_aa(path, self.rule, &mut table, &mut cells, paint) {
+                if table.len() >= error.enough {
+                    return Err(error.into());
+                }
+                table.resize(error.enough, CoverageSlot::EMPTY);
             }
         }
         Ok(levels)
@@ -143,8 +143,8 @@ mod tests {
 
     fn drawn(arguments: &[&str]) -> Vec<u8> {
         let options = Options::parse(lexopt::Parser::from_args(arguments)).expect("right arguments").expect("no help");
-        let segments = path_data(options.path.as_deref().expect("a path")).expect("a right path");
-        options.draw(&segments).expect("a picture")
+        let path = Path::svg(options.path.as_deref().expect("a path")).expect("a right path");
+        options.draw(path).expect("a picture")
     }
 
     /// A star with a hole, a ring of curves and arcs, and something beyond the picture on all sides.

@@ -25,7 +25,6 @@ mod difference;
 pub mod film;
 mod finish;
 pub mod paint;
-mod path_data;
 mod picture;
 mod png;
 mod pnm;
@@ -37,6 +36,5 @@ pub mod world;
 
 pub use difference::Difference;
 pub use finish::finish;
-pub use path_data::path_data;
 pub use picture::{Picture, Pixels};
 pub use window::{show, watch, Event, Key, Shot, WindowError};

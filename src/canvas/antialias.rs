@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 
 use crate::{
     error::EdgeTableFull,
-    geom::{fill_rule::FillRule, Path, PointFx},
+    geom::{fill_rule::FillRule, flatten::Segments, PointFx},
     paint::{Brush, Paint},
     raster::{
         coverage::{self, CoverageSlot},
@@ -109,7 +109,7 @@ pub trait Antialias: Surface {
     #[inline]
     fn fill_path_aa(
         &mut self,
-        path: Path<'_>,
+        path: impl IntoIterator<IntoIter = impl Segments>,
         rule: FillRule,
         table: &mut [CoverageSlot],
         cells: &mut [i32],
@@ -159,7 +159,7 @@ pub trait Antialias: Surface {
     #[inline]
     fn stroke_path_aa<D: Dashing>(
         &mut self,
-        path: Path<'_>,
+        path: impl IntoIterator<IntoIter = impl Segments>,
         stroke: &Stroke<D>,
         table: &mut [CoverageSlot],
         cells: &mut [i32],

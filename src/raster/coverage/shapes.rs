@@ -7,7 +7,12 @@ use super::{
 };
 use crate::{
     error::EdgeTableFull,
-    geom::{bits, fill_rule::FillRule, Path, PointFx},
+    geom::{
+        bits,
+        fill_rule::FillRule,
+        flatten::{Contours, Segments},
+        PointFx,
+    },
     num::cast::{low_u8, unsigned},
     raster::{
         ellipse::Ellipse,
@@ -24,14 +29,15 @@ use crate::{
 /// As for [`fill`].
 #[inline]
 pub fn path(
-    path: Path<'_>,
+    path: impl IntoIterator<IntoIter = impl Segments>,
     rule: FillRule,
     table: &mut [CoverageSlot],
     cells: &mut [i32],
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    fill_bands(|band| path.fine_contours_in(band), rule, (table, cells), window, sink)
+    let segments = path.into_iter();
+    fill_bands(|band| Contours::finely_within(segments.clone(), band), rule, (table, cells), window, sink)
 }
 
 /// Tells what a stroked path covers. A pixel in which pieces of the stroke overlap may count what they share twice: see
@@ -41,14 +47,15 @@ pub fn path(
 /// As for [`fill`]. Each piece of the stroke that a row meets takes two slots.
 #[inline]
 pub fn stroke<D: Dashing>(
-    path: Path<'_>,
+    path: impl IntoIterator<IntoIter = impl Segments>,
     stroke: &Stroke<D>,
     table: &mut [CoverageSlot],
     cells: &mut [i32],
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    fill_bands(|band| stroke.of_path(path, band), FillRule::NonZero, (table, cells), window, sink)
+    let segments = path.into_iter();
+    fill_bands(|band| stroke.of_path(segments.clone(), band), FillRule::NonZero, (table, cells), window, sink)
 }
 
 /// Tells what stroked lines cover: from each place to the next, and back to the first one if they are `closed`.
