@@ -18,10 +18,11 @@
 //! `r 2^-27` of the range of its corners. For bytes and r = 16 the latter is 1 / 32,000 of a step. What is equal at all corners
 //! is constant, and no value leaves the range of its corners. A w that is not positive is taken for the least that is.
 //!
-//! **In runs.** [`Runs`] finds the value at both ends of a run of pixels, and goes evenly in between. Over a run along which w changes
-//! by a factor r, the values in between are off by at most `(sqrt(r) - 1) / (sqrt(r) + 1)` of what the value changes by along
-//! the run. Runs have N pixels at most, and fewer, down to 2, where the r of one might be above 9/8: so the error is below 3 % of
-//! the change. A run starts where a row of the window does; so in a tile, values in between may differ by as much.
+//! **In runs.** [`Runs`] finds the value at every N-th pixel of a row and at the last one, and goes evenly in between. Over a run along
+//! which w changes by a factor r, the values in between are off by at most `(sqrt(r) - 1) / (sqrt(r) + 1)` of what the value changes by
+//! along the run. Runs have N pixels at most, and fewer, down to 1, where the r of one might be above 9/8: so the error is below 3 % of
+//! the change. Where one run ends the next begins, so each takes one reciprocal. The first starts where a row of the window does; so
+//! in a tile, values in between may differ by as much.
 //!
 //! Sources: J. Blinn, "Hyperbolic Interpolation", IEEE Computer Graphics and Applications 12, 1992; C. Hecker, "Perspective Texture
 //! Mapping", Game Developer, 1995 (runs).
@@ -61,7 +62,7 @@ pub struct Perspective<V> {
     pub value: V,
 }
 
-/// [`Perspective`] in runs of at most N pixels, of which only the ends are exact. See the [module](self).
+/// [`Perspective`] in runs of at most N pixels, of which only the first is exact, and the last of the row. See the [module](self).
 ///
 /// N is from 2 to 64.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -78,6 +79,8 @@ pub trait Numbers: Copy {
     type Shares: Copy + Debug;
     /// The shares at one pixel, with what they gain from each to the next.
     type Run: Copy + Debug;
+    /// The values at an end of an even run.
+    type End: Copy + Debug;
     /// The values at one pixel of an even run, with what they gain from each to the next.
     type Even: Copy + Debug;
 
@@ -94,7 +97,10 @@ pub trait Numbers: Copy {
     fn value(run: &Self::Run, inverse: Inverse) -> Self;
 
     #[doc(hidden)]
-    fn even(shares: &Self::Shares, ends: [(Pixel, Inverse); 2], steps: u32) -> Self::Even;
+    fn end(shares: &Self::Shares, pixel: Pixel, inverse: Inverse) -> Self::End;
+
+    #[doc(hidden)]
+    fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even;
 
     #[doc(hidden)]
     fn even_value(even: &Self::Even) -> Self;
@@ -218,16 +224,9 @@ impl Share {
         ShareRun { at: self.flat.at(pixel), by: self.flat.right, base: self.base, range: self.range }
     }
 
-    /// How far the values at two pixels are above the least, in 2^-32, and a half more.
     #[inline(always)]
-    fn above(&self, ends: [(Pixel, Inverse); 2]) -> [u64; 2] {
-        ends.map(|(pixel, inverse)| self.run(pixel).above(inverse))
-    }
-
-    /// As a value.
-    #[inline(always)]
-    fn plus_base(&self, above: u64) -> u64 {
-        above.wrapping_add(u64::from(self.base) << 32)
+    fn end(&self, pixel: Pixel, inverse: Inverse) -> End {
+        End { above: self.run(pixel).above(inverse), base: self.base }
     }
 }
 
@@ -250,6 +249,13 @@ impl ShareRun {
     }
 }
 
+/// A value at an end of an even run: how far it is above the least, in 2^-32, with a half more, and the least.
+#[derive(Copy, Clone, Debug)]
+pub struct End {
+    above: u64,
+    base: u32,
+}
+
 /// A value at one pixel of an even run, in 2^-32.
 #[derive(Copy, Clone, Debug)]
 pub struct Even {
@@ -258,10 +264,10 @@ pub struct Even {
 }
 
 /// `2^32 / k`, cut down.
-const PARTS: [u32; 64] = {
-    let mut parts = [u32::MAX; 64];
+const PARTS: [u32; 65] = {
+    let mut parts = [u32::MAX; 65];
     let mut k = 2_u32;
-    while k < 64 {
+    while k < 65 {
         parts[k as usize] = low_u32((1_u64 << 32) / k as u64);
         k += 1;
     }
@@ -298,6 +304,7 @@ macro_rules! numbers {
         $(impl Numbers for $type {
             type Shares = Share;
             type Run = ShareRun;
+            type End = End;
             type Even = Even;
 
             #[inline]
@@ -322,9 +329,13 @@ macro_rules! numbers {
             }
 
             #[inline(always)]
-            fn even(shares: &Share, ends: [(Pixel, Inverse); 2], steps: u32) -> Even {
-                let [at, end] = shares.above(ends);
-                Even { at: shares.plus_base(at), by: gain(at, end, steps) }
+            fn end(shares: &Share, pixel: Pixel, inverse: Inverse) -> End {
+                shares.end(pixel, inverse)
+            }
+
+            #[inline(always)]
+            fn even(End { above, base }: End, to: End, steps: u32) -> Even {
+                Even { at: above.wrapping_add(u64::from(base) << 32), by: gain(above, to.above, steps) }
             }
 
             #[inline(always)]
@@ -355,6 +366,7 @@ numbers! {
 impl Numbers for Fast<(I16F16, I16F16)> {
     type Shares = [Share; 2];
     type Run = [ShareRun; 2];
+    type End = [End; 2];
     type Even = Pair;
 
     #[inline]
@@ -379,13 +391,15 @@ impl Numbers for Fast<(I16F16, I16F16)> {
     }
 
     #[inline(always)]
-    fn even(shares: &[Share; 2], ends: [(Pixel, Inverse); 2], steps: u32) -> Pair {
-        let number = |share: &Share| {
-            let [at, end] = share.above(ends).map(whole);
-            (signed(share.base.wrapping_add(at)), whole_gain(at, end, steps))
-        };
-        let [(first, first_by), (second, second_by)] = shares.each_ref().map(number);
-        Pair::new([first, second], [first_by, second_by])
+    fn end(shares: &[Share; 2], pixel: Pixel, inverse: Inverse) -> [End; 2] {
+        shares.each_ref().map(|share| share.end(pixel, inverse))
+    }
+
+    #[inline(always)]
+    fn even([u, v]: [End; 2], [u_end, v_end]: [End; 2], steps: u32) -> Pair {
+        let at = |end: End| signed(end.base.wrapping_add(whole(end.above)));
+        let by = |from: End, to: End| whole_gain(whole(from.above), whole(to.above), steps);
+        Pair::new([at(u), at(v)], [by(u, u_end), by(v, v_end)])
     }
 
     #[inline(always)]
@@ -402,6 +416,7 @@ impl Numbers for Fast<(I16F16, I16F16)> {
 impl<V: Numbers, const N: usize> Numbers for [V; N] {
     type Shares = [V::Shares; N];
     type Run = [V::Run; N];
+    type End = [V::End; N];
     type Even = [V::Even; N];
 
     #[inline]
@@ -429,8 +444,14 @@ impl<V: Numbers, const N: usize> Numbers for [V; N] {
     }
 
     #[inline(always)]
-    fn even(shares: &Self::Shares, ends: [(Pixel, Inverse); 2], steps: u32) -> Self::Even {
-        shares.each_ref().map(|shares| V::even(shares, ends, steps))
+    fn end(shares: &Self::Shares, pixel: Pixel, inverse: Inverse) -> Self::End {
+        shares.each_ref().map(|shares| V::end(shares, pixel, inverse))
+    }
+
+    #[inline(always)]
+    fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even {
+        let mut to = to.into_iter();
+        from.map(|from| V::even(from, to.next().unwrap_or(from), steps))
     }
 
     #[inline(always)]
@@ -449,6 +470,7 @@ macro_rules! tuple {
         impl<$($name: Numbers),*> Numbers for ($($name,)*) {
             type Shares = ($($name::Shares,)*);
             type Run = ($($name::Run,)*);
+            type End = ($($name::End,)*);
             type Even = ($($name::Even,)*);
 
             #[inline]
@@ -472,8 +494,13 @@ macro_rules! tuple {
             }
 
             #[inline(always)]
-            fn even(shares: &Self::Shares, ends: [(Pixel, Inverse); 2], steps: u32) -> Self::Even {
-                ($($name::even(&shares.$place, ends, steps),)*)
+            fn end(shares: &Self::Shares, pixel: Pixel, inverse: Inverse) -> Self::End {
+                ($($name::end(&shares.$place, pixel, inverse),)*)
+            }
+
+            #[inline(always)]
+            fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even {
+                ($($name::even(from.$place, to.$place, steps),)*)
             }
 
             #[inline(always)]
@@ -516,7 +543,7 @@ impl<S: Copy> Seen<S> {
         let [p, q, r] = nearness;
         let gain = whole(signed_wide(flat.right).unsigned_abs()).saturating_add(1).saturating_mul(8);
         let mut reach = most;
-        while reach > 2 && gain.saturating_mul(reach) > p.min(q).min(r) {
+        while reach > 1 && gain.saturating_mul(reach) > p.min(q).min(r) {
             reach >>= 1;
         }
         Self { nearness: flat, least, shares, reach }
@@ -577,17 +604,39 @@ impl<V: Numbers> Varying for Perspective<V> {
     }
 }
 
-/// The distance at the first pixel of an even run, and the values at one of its pixels.
+/// The distance at the first pixel of an even run, the values at one of its pixels, and both where the next run begins.
 #[derive(Copy, Clone, Debug)]
-pub struct EvenRun<E> {
+pub struct EvenRun<E, F> {
     w: I16F16,
     values: E,
+    next: (I16F16, F),
+}
+
+impl<V: Numbers, const N: u32> Runs<V, N> {
+    #[inline(always)]
+    fn end(slopes: &Seen<V::Shares>, pixel: Pixel) -> (I16F16, V::End) {
+        let inverse = slopes.inverse(pixel);
+        (inverse.distance(slopes.least), V::end(&slopes.shares, pixel, inverse))
+    }
+
+    /// The run from a pixel on, of which distance and values are known.
+    #[inline(always)]
+    fn from(
+        slopes: &Seen<V::Shares>,
+        (w, end): (I16F16, V::End),
+        (right, down): Pixel,
+        pixels: u32,
+    ) -> EvenRun<V::Even, V::End> {
+        let steps = slopes.reach.min(pixels.wrapping_sub(1));
+        let next = Self::end(slopes, (right.wrapping_add(steps), down));
+        EvenRun { w, values: V::even(end, next.1, steps), next }
+    }
 }
 
 impl<V: Numbers, const N: u32> Varying for Runs<V, N> {
     type Slopes = Seen<V::Shares>;
     type Row = u32;
-    type Run = EvenRun<V::Even>;
+    type Run = EvenRun<V::Even, V::End>;
 
     #[inline]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes {
@@ -612,9 +661,13 @@ impl<V: Numbers, const N: u32> Varying for Runs<V, N> {
 
     #[inline(always)]
     fn stretch(slopes: &Self::Slopes, row: &u32, right: u32, pixels: u32) -> Self::Run {
-        let steps = pixels.wrapping_sub(1);
-        let ends = [(right, *row), (right.wrapping_add(steps), *row)].map(|pixel| (pixel, slopes.inverse(pixel)));
-        EvenRun { w: ends[0].1.distance(slopes.least), values: V::even(&slopes.shares, ends, steps) }
+        let pixel = (right, *row);
+        Self::from(slopes, Self::end(slopes, pixel), pixel, pixels)
+    }
+
+    #[inline(always)]
+    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, pixel: Pixel, pixels: u32) {
+        *run = Self::from(slopes, run.next, pixel, pixels);
     }
 
     #[inline(always)]

@@ -67,14 +67,15 @@ pub trait Varying: Copy {
     /// A pixel of a row so many pixels to the right of the first column of the triangle's box.
     fn run(slopes: &Self::Slopes, row: &Self::Row, right: u32) -> Self::Run;
 
-    /// [`run`](Self::run), of which so many pixels are asked for: at least 1, and at most [`reach`](Self::reach).
+    /// [`run`](Self::run), where so many pixels of the row are asked for from there on: at least 1. The run is right for
+    /// [`reach`](Self::reach) of them.
     #[inline(always)]
     fn stretch(slopes: &Self::Slopes, row: &Self::Row, right: u32, pixels: u32) -> Self::Run {
         let _ = pixels;
         Self::run(slopes, row, right)
     }
 
-    /// Takes a run on that has gone through all the pixels for which it is right, so that it is right for so many more.
+    /// Takes a run on that has gone through all the pixels for which it is right, where so many more are asked for.
     #[inline(always)]
     fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, (right, down): (u32, u32), pixels: u32) {
         *run = Self::stretch(slopes, &Self::row(slopes, down), right, pixels);
@@ -126,7 +127,7 @@ impl<V: Varying> Plane<V> {
     #[inline]
     pub fn each(&self, mut x: i32, y: i32, mut n: u32, mut f: impl FnMut(V)) {
         let rows = Rows::new(*self, y);
-        let mut run = rows.run(x, n.clamp(1, rows.reach()));
+        let mut run = rows.run(x, n.max(1));
         loop {
             let part = n.min(rows.reach());
             for _ in 0..part {
@@ -137,11 +138,11 @@ impl<V: Varying> Plane<V> {
             if n == 0 {
                 return;
             }
-            rows.go_on(&mut run, (x, y), n.min(rows.reach()));
+            rows.go_on(&mut run, (x, y), n);
         }
     }
 
-    /// The run of so many pixels that begins at a pixel.
+    /// The run that begins at a pixel, where so many of the row are asked for.
     #[inline(always)]
     pub(crate) fn run(&self, (x, y): (i32, i32), pixels: u32) -> V::Run {
         let row = V::row(&self.slopes, unsigned(y.wrapping_sub(self.first.1)));
@@ -197,13 +198,13 @@ impl<V: Varying> Rows<V> {
         }
     }
 
-    /// The run of so many pixels that begins in column x of the row.
+    /// The run that begins in column x of the row, where so many pixels are asked for.
     #[inline(always)]
     pub(crate) fn run(&self, x: i32, pixels: u32) -> V::Run {
         V::stretch(&self.plane.slopes, &self.row, unsigned(x.wrapping_sub(self.plane.first.0)), pixels)
     }
 
-    /// Takes a run that has come to a pixel on for so many more.
+    /// Takes a run on that has come to a pixel, where so many more are asked for.
     #[inline(always)]
     pub(crate) fn go_on(&self, run: &mut V::Run, (x, y): (i32, i32), pixels: u32) {
         let Plane { first, ref slopes } = self.plane;

@@ -3,6 +3,7 @@
 use super::traits::Paint;
 use crate::{
     geom::{varying::Rows, Plane, Varying},
+    num::cast::unsigned,
     span::ClippedSpan,
     surface::{Inside, Said, Surface},
 };
@@ -63,10 +64,10 @@ impl<V: Varying, F> Shade<V, F> {
     {
         let Self { rows, color } = self;
         rows.go_to(span.y());
-        let (mut run, mut rest) = (rows.run(span.x0(), rows.reach()), false);
+        let (mut run, mut rest) = (rows.run(span.x0(), span.len()), false);
         span.parts(rows.reach(), |part| {
             if core::mem::replace(&mut rest, true) {
-                rows.go_on(&mut run, (part.x0(), part.y()), part.len());
+                rows.go_on(&mut run, (part.x0(), part.y()), unsigned(span.x1().wrapping_sub(part.x0())));
             }
             let mut at = run;
             on.write_span_inside(Inside(Said::Span(part)), |_| {
@@ -110,10 +111,10 @@ impl<V: Varying, F> ShadeSome<V, F> {
     {
         let Self { rows, color } = self;
         rows.go_to(span.y());
-        let mut run = rows.run(span.x0(), span.len().min(rows.reach()));
+        let mut run = rows.run(span.x0(), span.len());
         span.parts(rows.reach(), |part| {
             if part.x0() != span.x0() {
-                rows.go_on(&mut run, (part.x0(), part.y()), part.len());
+                rows.go_on(&mut run, (part.x0(), part.y()), unsigned(span.x1().wrapping_sub(part.x0())));
             }
             let mut at = run;
             on.write_inside(Inside(Said::Span(part)), |_| {

@@ -187,14 +187,16 @@ fn runs<const N: u32, V: Copy>(
         };
         let range = values.iter().max().unwrap() - values.iter().min().unwrap();
         let near = (range * ratio) as f64 / f64::from(1 << 27);
-        for x0 in (span.x0()..span.x1()).step_by(N as usize) {
-            let x1 = (x0 + N as i32).min(span.x1());
-            let (first, last) = (real(x0), real(x1 - 1));
-            let r = (first.1 / last.1).max(last.1 / first.1).sqrt();
-            let most = ((r - 1.0) / (r + 1.0)).min(0.03) * (last.0 - first.0).abs();
-            let mut columns = x0..x1;
-            plane.each(x0, span.y(), (x1 - x0) as u32, |at| {
+        // The row as a whole, and what is left of it from the first third on.
+        for start in [span.x0(), span.x0() + span.x1().abs_diff(span.x0()) as i32 / 3] {
+            let mut columns = start..span.x1();
+            plane.each(start, span.y(), span.x1().abs_diff(start), |at| {
                 let x = columns.next().unwrap();
+                // The run that the pixel lies in, if it has N pixels; shorter ones have less of an error.
+                let x0 = start + (x - start) / N as i32 * N as i32;
+                let (first, last) = (real(x0), real((x0 + N as i32).min(span.x1() - 1)));
+                let r = (first.1 / last.1).max(last.1 / first.1).sqrt();
+                let most = ((r - 1.0) / (r + 1.0)).min(0.03) * (last.0 - first.0).abs();
                 let off = (to(at.value) as f64 - real(x).0).abs();
                 let slack = near + if x == x0 { 0.5 } else { rounding };
                 assert!(off <= most + slack, "{units:?} {values:?} {w:?} at {x}, {}: {off} > {most}", span.y());
