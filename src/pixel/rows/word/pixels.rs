@@ -35,7 +35,8 @@ pub(in crate::pixel::rows) fn set<F: PixelFormat>(memory: &mut [u8], at: usize, 
 #[inline(always)]
 pub(in crate::pixel::rows) fn get<F: PixelFormat>(memory: &[u8], at: usize) -> u32 {
     fn pixel<const N: usize>(memory: &[u8], at: usize) -> [u8; N] {
-        let place = memory.get(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk);
+        // Without an end that might overflow: one addition and two registers less.
+        let place = memory.get(at..).and_then(<[u8]>::first_chunk);
         place.copied().unwrap_or([0; N])
     }
     match F::BITS {
