@@ -47,6 +47,9 @@ const SMALL_CORE: bool = cfg!(embedded_raster_small_core);
 /// Whether the chip divides in hardware. Armv6-M does not.
 pub(crate) const DIVIDES: bool = !SMALL_CORE && !ARMV6;
 
+/// Whether the product of two words is one or two instructions, for both of its words. On Armv6-M it is a function.
+pub(crate) const LONG_PRODUCTS: bool = !SMALL_CORE && !ARMV6;
+
 /// Cores that load and store words at any address.
 pub(crate) const UNALIGNED: bool = !SMALL_CORE
     && (ARMV7

@@ -24,6 +24,7 @@ use crate::{
         divisor::{Scale, WideDivisor},
         mixed::Mixed,
         round::{difference, first_centre_from},
+        wide::signed_product,
     },
 };
 
@@ -60,26 +61,31 @@ impl Facet {
     ///
     /// # Errors
     /// If its box is wider and higher, together, than [`MOST`](Self::MOST) pixels.
+    #[inline]
     pub fn new(corners: [PointFx; 3]) -> Result<Self, TriangleTooLarge> {
+        let facet = Self::of_any_size(corners);
+        if facet.extent > Self::MOST {
+            return Err(too_large(corners));
+        }
+        Ok(facet)
+    }
+
+    /// The same, which means nothing for a triangle that is too large. It is where the caller wants it, as it is no part of a
+    /// result: its 18 words are not copied.
+    fn of_any_size(corners: [PointFx; 3]) -> Self {
         let [a, b, c] = corners.map(bits);
         let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
         let (upper, lower) = (a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1));
-        let (width, height) = (right.abs_diff(left), lower.abs_diff(upper));
-        let extent = width.saturating_add(height);
-        if extent > Self::MOST << 8 {
-            let (width, height) = (width.div_ceil(256), height.div_ceil(256));
-            return Err(TriangleTooLarge { width, height, most: Self::MOST });
-        }
+        let extent = right.abs_diff(left).saturating_add(lower.abs_diff(upper));
         let (mut b, mut c) =
             ((b.0.wrapping_sub(a.0), b.1.wrapping_sub(a.1)), (c.0.wrapping_sub(a.0), c.1.wrapping_sub(a.1)));
-        let product = |a: i32, b: i32| i64::from(a).wrapping_mul(b.into());
-        let area = product(b.0, c.1).wrapping_sub(product(b.1, c.0));
+        let area = signed_product(b.0, c.1).wrapping_sub(signed_product(b.1, c.0));
         let is_clockwise = area >= 0;
         if !is_clockwise {
             let back = |(x, y): (i32, i32)| (x.wrapping_neg(), y.wrapping_neg());
             (b, c) = (back(b), back(c));
         }
-        Ok(Self {
+        Self {
             corner: a,
             sides: [b, c],
             is_clockwise,
@@ -87,7 +93,7 @@ impl Facet {
             divisor: WideDivisor::new(area.unsigned_abs()),
             first: (first_centre_from(left), first_centre_from(upper)),
             extent: extent.div_ceil(256),
-        })
+        }
     }
 
     /// Twice its area in units of 1/65,536 square pixel, whatever its winding.
@@ -158,8 +164,8 @@ impl Facet {
         let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
         let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
         let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
-        let ((x, y), product) = (self.centre_of_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
-        let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
+        let (x, y) = self.centre_of_first();
+        let n = signed_product(right, x).wrapping_add(signed_product(down, y)).wrapping_add(self.area >> 1);
         [
             start.wrapping_add(self.divisor.ratio(n, bits)),
             self.divisor.narrow_ratio(right, bits.wrapping_add(8)),
@@ -186,9 +192,10 @@ impl Facet {
     /// 2^24, and the numerator of the start below 2^40.1. Gains are above the true ones by at most 2 + 2^-6 units of the fraction,
     /// the start by at most 9: with all steps, by less than 1 / D. No number is above 2^62.2, as D is at least 2^15.
     #[inline(always)]
-    pub(crate) fn level_slopes(&self, levels: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
+    pub(crate) fn level_slopes(&self, [a, b, c]: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
         let scale = self.small_scale(512)?;
-        Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
+        let slopes = |[a, b, c]: [u8; 3]| self.small_slopes(scale, [a.into(), b.into(), c.into()], 2, 6);
+        Some([slopes(a), slopes(b), slopes(c)])
     }
 
     /// The same of a number of 16 bits in a triangle of 63 pixels.
@@ -208,8 +215,8 @@ impl Facet {
         let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
         let right = v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1));
         let down = v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0));
-        let ((x, y), product) = (self.centre_of_first(), |a: i32, b: i32| i64::from(a).wrapping_mul(b.into()));
-        let n = product(right, x).wrapping_add(product(down, y)).wrapping_add(self.area >> 1);
+        let (x, y) = self.centre_of_first();
+        let n = signed_product(right, x).wrapping_add(signed_product(down, y)).wrapping_add(self.area >> 1);
         let start =
             (i64::from(v0) << Self::SMALL_BITS).cast_unsigned().wrapping_add(scale.wide_ratio(n, more_at_start));
         [start, scale.ratio(right, more), scale.ratio(down, more)]
@@ -224,14 +231,14 @@ impl Facet {
         if self.area == 0 {
             return [start, Mixed::default(), Mixed::default()];
         }
-        let ([b, c], product) = (self.sides, |v: i64, side: i32| v.wrapping_mul(side.into()));
+        let ([b, c], times) = (self.sides, |v: i64, n: i32| v.wrapping_mul(n.into()));
         let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
-        let right = product(v1, c.1).wrapping_sub(product(v2, b.1));
-        let down = product(v2, b.0).wrapping_sub(product(v1, c.0));
+        let right = times(v1, c.1).wrapping_sub(times(v2, b.1));
+        let down = times(v2, b.0).wrapping_sub(times(v1, c.0));
         let (x, y) = self.centre_of_first();
         if !is_wide {
             // Below 2^63.
-            let n = product(right, x).wrapping_add(product(down, y));
+            let n = times(right, x).wrapping_add(times(down, y));
             return [
                 start + self.divisor.divide(n.wrapping_add(half)),
                 self.divisor.divide(right.wrapping_mul(256)),
@@ -241,11 +248,19 @@ impl Facet {
         let [along, below] = [right, down].map(|n| self.divisor.quotient(n));
         // A remainder is below 2^41.2, times a distance below 2^62.8.
         let part = |(q, r): (i64, u64), n: i32, more: i64| {
-            let rest = product(signed_wide(r), n).wrapping_add(more);
-            Mixed::from_whole(narrow(product(q, n))) + self.divisor.divide(rest)
+            let rest = times(signed_wide(r), n).wrapping_add(more);
+            Mixed::from_whole(narrow(times(q, n))) + self.divisor.divide(rest)
         };
         [start + part(along, x, half) + part(below, y, 0), part(along, 256, 0), part(below, 256, 0)]
     }
+}
+
+/// How large a triangle is that is too large.
+#[cold]
+fn too_large(corners: [PointFx; 3]) -> TriangleTooLarge {
+    let [a, b, c] = corners.map(bits);
+    let extent = |a: i32, b: i32, c: i32| a.max(b).max(c).abs_diff(a.min(b).min(c)).div_ceil(256);
+    TriangleTooLarge { width: extent(a.0, b.0, c.0), height: extent(a.1, b.1, c.1), most: Facet::MOST }
 }
 
 /// Where a place lies in a triangle: three weights, and their sum. The place is the mean of the corners, weighted so.

@@ -38,6 +38,7 @@ use super::{
 use crate::num::{
     cast::{low_u16, low_u32, low_u8, saturate, signed, signed_wide, unsigned},
     recip::{reciprocal, Divisor},
+    wide::{product, wide_times_small},
 };
 
 /// A value, and how far away it is: changes over a triangle as it does in space, and is exact at every pixel. See the
@@ -131,8 +132,7 @@ impl Flat {
 
     #[inline(always)]
     fn at(&self, (right, down): Pixel) -> u64 {
-        let times = |n: u64, factor: u32| n.wrapping_mul(factor.into());
-        self.start.wrapping_add(times(self.right, right)).wrapping_add(times(self.down, down))
+        self.start.wrapping_add(wide_times_small(self.right, right)).wrapping_add(wide_times_small(self.down, down))
     }
 }
 
@@ -145,7 +145,7 @@ const fn whole(n: u64) -> u32 {
 /// The high word of a product.
 #[inline(always)]
 fn high(a: u32, b: u32) -> u32 {
-    whole(u64::from(a).wrapping_mul(b.into()))
+    whole(product(a, b))
 }
 
 /// The reciprocal of a nearness d: `2^32 + v` is `floor((2^64 - 1) / (2^shift d))`.
@@ -175,7 +175,7 @@ impl Inverse {
     #[inline(always)]
     fn distance(self, least: u32) -> I16F16 {
         // Both factors are below 2^33 and 2^31. The shift is from 1 to 31.
-        let product = (u64::from(least) << 32).wrapping_add(u64::from(least).wrapping_mul(self.v.into()));
+        let product = (u64::from(least) << 32).wrapping_add(product(least, self.v));
         I16F16::from_bits(saturate(signed_wide(product >> (34_u32.wrapping_sub(self.shift) & 63))))
     }
 }
@@ -234,7 +234,7 @@ impl ShareRun {
     /// How far the value is above the least, in 2^-32, and a half more. Below 2^64, and its whole part is not above the range.
     #[inline(always)]
     fn above(&self, inverse: Inverse) -> u64 {
-        u64::from(inverse.part(self.at)).wrapping_mul(self.range.into()).wrapping_add(1 << 31)
+        product(inverse.part(self.at), self.range).wrapping_add(1 << 31)
     }
 
     /// The nearest value, halves upwards, modulo 2^32.
@@ -279,8 +279,7 @@ const PARTS: [u32; 65] = {
 fn gain(from: u64, to: u64, steps: u32) -> u64 {
     let (part, falls) = (PARTS.get(steps as usize).copied().unwrap_or(0), to < from);
     let way = if falls { from.wrapping_sub(to) } else { to.wrapping_sub(from) };
-    let product = |word: u32| u64::from(word).wrapping_mul(part.into());
-    let gain = product(whole(way)).wrapping_add(product(low_u32(way)) >> 32);
+    let gain = product(whole(way), part).wrapping_add(high(low_u32(way), part).into());
     if falls {
         gain.wrapping_neg()
     } else {

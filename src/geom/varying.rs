@@ -35,6 +35,7 @@ use super::facet::Facet;
 use crate::num::{
     cast::{low_u16, low_u32, low_u8, signed, unsigned},
     mixed::Mixed,
+    wide::wide_times_small,
 };
 
 /// What changes over a triangle: a number, a colour, or several of them in an array or a tuple.
@@ -268,12 +269,12 @@ impl ByteSlopes {
 
     #[inline(always)]
     pub(crate) fn row(&self, down: u32) -> u64 {
-        self.start.wrapping_add(self.down.wrapping_mul(down.into()))
+        self.start.wrapping_add(wide_times_small(self.down, down))
     }
 
     #[inline(always)]
     pub(crate) fn run(&self, row: u64, right: u32) -> Level {
-        Level { at: row.wrapping_add(self.right.wrapping_mul(right.into())), by: self.right }
+        Level { at: row.wrapping_add(wide_times_small(self.right, right)), by: self.right }
     }
 }
 
@@ -362,7 +363,7 @@ impl WordSlopes {
     fn row(&self, down: u32) -> Mixed {
         if self.reach == Self::SMALL {
             let Slopes { start, down: by, .. } = self.slopes;
-            let fraction = start.fraction.wrapping_add(by.fraction.wrapping_mul(down.into()));
+            let fraction = start.fraction.wrapping_add(wide_times_small(by.fraction, down));
             return Mixed { whole: 0, fraction };
         }
         self.slopes.row(down)
@@ -381,7 +382,7 @@ impl WordSlopes {
     fn run(&self, row: Mixed, right: u32) -> Word {
         let by = self.slopes.right;
         if self.reach == Self::SMALL {
-            return Word { at: row.fraction.wrapping_add(by.fraction.wrapping_mul(right.into())), by: by.fraction };
+            return Word { at: row.fraction.wrapping_add(wide_times_small(by.fraction, right)), by: by.fraction };
         }
         self.large_run(row, right)
     }

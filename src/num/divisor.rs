@@ -2,16 +2,16 @@
 //!
 //! Source: T. Granlund and P. Montgomery, "Division by Invariant Integers using Multiplication", PLDI 1994.
 
-use core::num::NonZeroU32;
-
 use super::{
     cast::{low_u32, narrow, signed, signed_wide},
     mixed::Mixed,
+    recip,
+    wide::{product, signed_product},
 };
-use crate::tune::{COMPACT, DIVIDES};
+use crate::tune::COMPACT;
 
-/// Whether the reciprocal of a number below 2^32 is found by divisions of 32 bits. Otherwise it is found bit by bit.
-const BY_DIGITS: bool = DIVIDES && !COMPACT;
+/// Whether the reciprocal of a number below 2^32 is found in two digits. Otherwise it is found bit by bit.
+const BY_DIGITS: bool = !COMPACT;
 
 /// A number `d` to divide by.
 ///
@@ -32,10 +32,8 @@ impl WideDivisor {
         let d = d.max(1);
         let shift = d.leading_zeros();
         let wide = d << (shift & 63);
-        let inverse = match NonZeroU32::new(low_u32(wide >> 32)) {
-            Some(high) if BY_DIGITS && low_u32(wide) == 0 => reciprocal(high),
-            _ => reciprocal_wide(wide),
-        };
+        let is_narrow = BY_DIGITS && low_u32(wide) == 0;
+        let inverse = if is_narrow { reciprocal(low_u32(wide >> 32)) } else { reciprocal_wide(wide) };
         Self { d, inverse, down: 63_u32.wrapping_sub(shift) }
     }
 
@@ -46,7 +44,7 @@ impl WideDivisor {
     #[inline]
     pub(crate) fn quotient(&self, n: i64) -> (i64, u64) {
         let m = n.unsigned_abs();
-        let mut q = high_product(m, self.inverse) >> (self.down & 63);
+        let mut q = high_product(m, self.inverse).0 >> (self.down & 63);
         let mut r = m.wrapping_sub(q.wrapping_mul(self.d));
         if r >= self.d {
             (q, r) = (q.wrapping_add(1), r.wrapping_sub(self.d));
@@ -67,7 +65,7 @@ impl WideDivisor {
     #[inline]
     pub(crate) fn divide(&self, n: i64) -> Mixed {
         let (q, r) = self.quotient(n);
-        let (high, low) = (high_product(r, self.inverse), r.wrapping_mul(self.inverse));
+        let (high, low) = (high_product(r, self.inverse).0, r.wrapping_mul(self.inverse));
         // The high half is below 2^down, so nothing is lost on the left.
         let fraction = high.checked_shl(64_u32.wrapping_sub(self.down)).unwrap_or(0) | low >> (self.down & 63);
         Mixed { whole: narrow(q), fraction } + Mixed { whole: 0, fraction: 3 }
@@ -83,7 +81,7 @@ impl WideDivisor {
     #[inline]
     pub(crate) fn ratio(&self, n: i64, bits: u32) -> u64 {
         let m = n.unsigned_abs();
-        let (mut high, mut low) = (high_product(m, self.inverse), m.wrapping_mul(self.inverse));
+        let (mut high, mut low) = (high_product(m, self.inverse).0, m.wrapping_mul(self.inverse));
         if n >= 0 {
             let (sum, carry) = low.overflowing_add(m);
             (high, low) = (high.wrapping_add(carry.into()), sum);
@@ -95,9 +93,9 @@ impl WideDivisor {
     #[inline]
     pub(crate) fn narrow_ratio(&self, n: i32, bits: u32) -> u64 {
         let m = n.unsigned_abs();
-        let product = |word: u64, more: u32| u64::from(low_u32(word)).wrapping_mul(m.into()).wrapping_add(more.into());
-        let low = product(self.inverse, if n < 0 { 0 } else { m });
-        let high = product(self.inverse >> 32, low_u32(low >> 32));
+        let times = |word: u64, more: u32| product(low_u32(word), m).wrapping_add(more.into());
+        let low = times(self.inverse, if n < 0 { 0 } else { m });
+        let high = times(self.inverse >> 32, low_u32(low >> 32));
         self.cut(high >> 32, high << 32 | u64::from(low_u32(low)), bits, n < 0)
     }
 
@@ -141,9 +139,9 @@ impl Scale {
     /// factor, and less than 1 of the product.
     #[inline(always)]
     pub(crate) fn ratio(self, n: i32, more: i64) -> u64 {
-        let product = |half: u64| i64::from(n).wrapping_mul(i64::from(signed(low_u32(half))));
-        let low = product((self.inverse & 0xffff_ffff) >> 1) >> 31;
-        product(self.inverse >> 32).wrapping_add(low).wrapping_add(more).cast_unsigned()
+        let times = |half: u64| signed_product(n, signed(low_u32(half)));
+        let low = times((self.inverse & 0xffff_ffff) >> 1) >> 31;
+        times(self.inverse >> 32).wrapping_add(low).wrapping_add(more).cast_unsigned()
     }
 
     /// `2^(bits - 8) n / d` and `more`: above the ratio by at least `more - 1 - 2^-39 |n|`, and by at most `more + 2^-39 |n|`.
@@ -151,65 +149,39 @@ impl Scale {
     /// The product is one without signs: of a negative n it is 2^64 times the factor too large, which is subtracted.
     #[inline(always)]
     pub(crate) fn wide_ratio(self, n: i64, more: u64) -> u64 {
-        let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
-        let ((a1, a0), (b1, b0)) = (halves(n.cast_unsigned()), halves(self.inverse));
-        // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
-        let middle = a1.wrapping_mul(b0).wrapping_add(a0.wrapping_mul(b0) >> 32);
-        let other = a0.wrapping_mul(b1).wrapping_add(u64::from(low_u32(middle)));
-        let high = a1.wrapping_mul(b1).wrapping_add(middle >> 32).wrapping_add(other >> 32);
+        let (high, other) = high_product(n.cast_unsigned(), self.inverse);
         let less = (n >> 63).cast_unsigned() & self.inverse;
-        let cut = high.wrapping_sub(less) << 24 | u64::from(low_u32(other) >> 8);
+        let cut = high.wrapping_sub(less) << 24 | u64::from(other >> 8);
         cut.wrapping_add(more)
     }
 }
 
-/// The high half of a product of 128 bits.
+/// The high half of a product of 128 bits, and the word below it.
 #[inline]
-fn high_product(a: u64, b: u64) -> u64 {
-    let halves = |n: u64| (u64::from(low_u32(n >> 32)), u64::from(low_u32(n)));
+fn high_product(a: u64, b: u64) -> (u64, u32) {
+    let halves = |n: u64| (low_u32(n >> 32), low_u32(n));
     let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
     // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
-    let middle = a1.wrapping_mul(b0).wrapping_add(a0.wrapping_mul(b0) >> 32);
-    let other = a0.wrapping_mul(b1).wrapping_add(u64::from(low_u32(middle)));
-    a1.wrapping_mul(b1).wrapping_add(middle >> 32).wrapping_add(other >> 32)
+    let middle = product(a1, b0).wrapping_add(product(a0, b0) >> 32);
+    let other = product(a0, b1).wrapping_add(u64::from(low_u32(middle)));
+    (product(a1, b1).wrapping_add(middle >> 32).wrapping_add(other >> 32), low_u32(other))
 }
 
 /// `floor((2^127 - 1) / (2^32 d))` for a `d` whose highest bit is set, in two digits: it is `floor((2^95 - 1) / d)`.
 ///
-/// The first digit is itself a reciprocal, 2^63 / d, and gives the second one: the product of the rest is too small by less than 5.
-fn reciprocal(d: NonZeroU32) -> u64 {
-    let (high, rest) = digit(u32::MAX >> 1, d);
-    let (rest, wide) = (u64::from(rest), u64::from(d.get()));
-    let mut low = rest.wrapping_mul(high.into()) >> 31;
-    let mut left = (rest << 32 | 0xffff_ffff).wrapping_sub(low.wrapping_mul(wide));
+/// The first digit is the reciprocal of 32 bits, cut down by one more. What is left, times the whole reciprocal, is the second one,
+/// too small by less than 4.
+fn reciprocal(d: u32) -> u64 {
+    let (wide, inverse) = (u64::from(d), recip::reciprocal(d));
+    let high = 1 << 31 | inverse >> 1;
+    let rest = !high.wrapping_mul(d);
+    let mut low = rest.wrapping_add(low_u32(product(rest, inverse) >> 32));
+    let mut left = (u64::from(rest) << 32 | 0xffff_ffff).wrapping_sub(product(low, d));
     while left >= wide {
         low = low.wrapping_add(1);
         left = left.wrapping_sub(wide);
     }
-    (u64::from(high) << 32).wrapping_add(low)
-}
-
-/// Quotient and remainder of `2^32 high + 2^32 - 1` by a `d` above `high` whose highest bit is set.
-///
-/// Source: D. Knuth, "The Art of Computer Programming", volume 2, 4.3.1, algorithm D, with digits of 16 bits.
-fn digit(high: u32, d: NonZeroU32) -> (u32, u32) {
-    let (top, below) = (d.get() >> 16, d.get() & 0xffff);
-    let half = |rest: u32| {
-        let Some(divisor) = NonZeroU32::new(top) else { return (0, 0) };
-        let (mut q, r) = (rest / divisor, rest % divisor);
-        // What is left is a number of 49 bits minus q times `below`: in wrapped 32 bits, with its true size beside it.
-        let (left, taken) = (u64::from(r) << 16 | 0xffff, u64::from(q).wrapping_mul(below.into()));
-        let mut left = left.wrapping_sub(taken);
-        // At most twice.
-        while left >> 63 != 0 {
-            q = q.wrapping_sub(1);
-            left = left.wrapping_add(d.get().into());
-        }
-        (q, low_u32(left))
-    };
-    let (upper, rest) = half(high);
-    let (lower, rest) = half(rest);
-    (upper << 16 | lower, rest)
+    u64::from(high) << 32 | u64::from(low)
 }
 
 /// `floor((2^127 - 1) / d)` for a `d` whose highest bit is set: bit by bit.
@@ -329,7 +301,7 @@ mod tests {
         for i in 0..300_000_u32 {
             for d in [d, 0x8000_0000 + i, u32::MAX - i, ((0x8000 + i % 0x8000) << 16) | (0xffff - i % 3)] {
                 let wide = u64::from(d) << 32;
-                assert_eq!(reciprocal(NonZeroU32::new(d).unwrap()), reciprocal_wide(wide), "{d}");
+                assert_eq!(reciprocal(d), reciprocal_wide(wide), "{d}");
                 assert_eq!(u128::from(reciprocal_wide(wide)), (u128::MAX >> 1) / u128::from(wide), "{d}");
             }
             d = d.wrapping_mul(0x915f_77f5).wrapping_add(1) | 0x8000_0000;

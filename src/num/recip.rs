@@ -19,7 +19,10 @@
 
 use core::num::NonZeroU32;
 
-use super::cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide, unsigned};
+use super::{
+    cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide, unsigned},
+    wide::product,
+};
 
 /// A number to divide many others by.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -166,10 +169,6 @@ pub(crate) const fn inverse_root(m: u32) -> u32 {
 pub(crate) const fn inverse_root_wide(n: u64) -> (u32, u32) {
     let shift = n.leading_zeros() & !1;
     (inverse_root(low_u32(n.wrapping_shl(shift) >> 32)), shift)
-}
-
-const fn product(a: u32, b: u32) -> u64 {
-    (a as u64).wrapping_mul(b as u64)
 }
 
 const fn high(n: u64) -> u32 {

@@ -1,6 +1,80 @@
 //! Products of more than 64 bits.
 
-use super::cast::{low_u32, magnitude, narrow, saturate, signed_wide};
+use super::cast::{low_u32, magnitude, narrow, saturate, signed_wide, unsigned};
+use crate::tune::LONG_PRODUCTS;
+
+/// The product of two words.
+#[inline]
+pub(crate) const fn product(a: u32, b: u32) -> u64 {
+    if LONG_PRODUCTS {
+        (a as u64).wrapping_mul(b as u64)
+    } else {
+        by_halves(a, b)
+    }
+}
+
+/// The same where no instruction has the high word: four products of halves. A function for products of 64 bits takes twice as long.
+#[inline]
+const fn by_halves(a: u32, b: u32) -> u64 {
+    let ((a1, a0), (b1, b0)) = ((a >> 16, a & 0xffff), (b >> 16, b & 0xffff));
+    let low = a0.wrapping_mul(b0);
+    // Sums of a product of halves and one or two halves.
+    let middle = a1.wrapping_mul(b0).wrapping_add(low >> 16);
+    let other = a0.wrapping_mul(b1).wrapping_add(middle & 0xffff);
+    let high = a1.wrapping_mul(b1).wrapping_add(middle >> 16).wrapping_add(other >> 16);
+    (high as u64) << 32 | (other << 16 | low & 0xffff) as u64
+}
+
+/// The product of two words with signs.
+#[inline]
+pub(crate) const fn signed_product(a: i32, b: i32) -> i64 {
+    if LONG_PRODUCTS {
+        (a as i64).wrapping_mul(b as i64)
+    } else {
+        with_signs(a, b)
+    }
+}
+
+/// The same from the product of two words. Taken without their signs, negative ones are 2^32 too large.
+#[inline]
+const fn with_signs(a: i32, b: i32) -> i64 {
+    let excess = unsigned(a >> 31 & b).wrapping_add(unsigned(b >> 31 & a));
+    signed_wide(by_halves(unsigned(a), unsigned(b)).wrapping_sub((excess as u64) << 32))
+}
+
+/// So many times a number of several words, the lowest one first, for a factor below 2^16. Of the product, as many words.
+#[inline(always)]
+pub(crate) fn times_small<const N: usize>(words: [u32; N], factor: u32) -> [u32; N] {
+    let mut carry = 0;
+    words.map(|word| {
+        let (low, high) = if LONG_PRODUCTS {
+            let sum = product(word, factor).wrapping_add(u64::from(carry));
+            (low_u32(sum), low_u32(sum >> 32))
+        } else {
+            times_half(word, factor, carry)
+        };
+        carry = high;
+        low
+    })
+}
+
+/// Both words of a product with a factor below 2^16 and a carry below 2^16, from two products of halves.
+#[inline(always)]
+const fn times_half(word: u32, factor: u32, carry: u32) -> (u32, u32) {
+    let low = (word & 0xffff).wrapping_mul(factor).wrapping_add(carry);
+    let high = (word >> 16).wrapping_mul(factor).wrapping_add(low >> 16);
+    (high << 16 | low & 0xffff, high >> 16)
+}
+
+/// The same for a number of 64 bits.
+#[inline(always)]
+pub(crate) fn wide_times_small(n: u64, factor: u32) -> u64 {
+    if LONG_PRODUCTS {
+        return n.wrapping_mul(factor.into());
+    }
+    let [low, high] = times_small([low_u32(n), low_u32(n >> 32)], factor);
+    u64::from(high) << 32 | u64::from(low)
+}
 
 /// `(2^32 high + low) factor`, in the same form. The caller knows that the product fits into 96 bits.
 #[inline(always)]
@@ -77,6 +151,26 @@ pub(crate) const fn nearest(n: i64, shift: u32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn products_of_halves_are_those_of_words() {
+        let ends =
+            [0, 1, 2, 0xfffe, 0xffff, 0x1_0000, 0x1_0001, 0x7fff_ffff, 0x8000_0000, 0x8000_0001, 0xffff_fffe, u32::MAX];
+        let more = (0..500_u32).map(|i| i.wrapping_mul(0x9e37_79b1) >> (i % 31));
+        let numbers: std::vec::Vec<u32> = ends.into_iter().chain(more).collect();
+        for &a in &numbers {
+            for &b in &numbers {
+                assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+                let (i, k) = (a.cast_signed(), b.cast_signed());
+                assert_eq!(with_signs(i, k), i64::from(i) * i64::from(k), "{i} {k}");
+                let (factor, carry) = (b & 0xffff, a >> 16);
+                let sum = u64::from(a) * u64::from(factor) + u64::from(carry);
+                assert_eq!(times_half(a, factor, carry), (low_u32(sum), low_u32(sum >> 32)), "{a} {factor} {carry}");
+                let (wide, factor) = (u64::from(a) << 32 | u64::from(b), b >> 16);
+                assert_eq!(wide_times_small(wide, factor), wide.wrapping_mul(factor.into()), "{wide} {factor}");
+            }
+        }
+    }
 
     #[test]
     fn sums_are_rounded_once() {

@@ -22,7 +22,10 @@ use embedded_graphics_core::pixelcolor::{
 
 use crate::{
     geom::{varying::ByteSlopes, Barycentric, Facet, Fast, Mix, Varying},
-    num::cast::{low_u32, low_u64, low_u8, signed_wide},
+    num::{
+        cast::{low_u32, low_u64, low_u8, signed_wide},
+        wide::times_small,
+    },
     pixel::{Rgb332, Rgb444, Xrgb8888},
 };
 
@@ -184,16 +187,11 @@ fn cut(n: u64, more: u64) -> u64 {
     (signed_wide(n) >> (ByteSlopes::BITS - Levels::BITS)).cast_unsigned().wrapping_add(more)
 }
 
-/// So many times as much.
+/// So many times as much, for a factor below 2^16.
 #[inline(always)]
 fn times(n: u128, factor: u32) -> u128 {
-    let product = |word: u128| u64::from(low_u32(low_u64(word))).wrapping_mul(factor.into());
-    let (low, rest) = (product(n), product(n >> 32));
-    let middle = rest.wrapping_add(low >> 32);
-    let high = product(n >> 64).wrapping_add(middle >> 32);
-    let top = low_u32(product(n >> 96)).wrapping_add(low_u32(high >> 32));
-    let words = [low_u32(low), low_u32(middle), low_u32(high), top];
-    words.into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
+    let words = [0, 32, 64, 96].map(|bit: u32| low_u32(low_u64(n >> bit)));
+    times_small(words, factor).into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 
 /// The level whose lowest bit is that one. Each lies in one of the four words.
