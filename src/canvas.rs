@@ -13,7 +13,7 @@ pub use self::antialias::Antialias;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, Plane, PointFx, Segments, Varying},
+    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, Segments, Varying},
     paint::{Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
@@ -266,7 +266,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let mut shade = Shade::new(Plane::new(&Facet::new(corners)?, values), color);
+        let mut shade = Shade::over(&Facet::new(corners)?, values, color);
         triangle::fill(corners, self.window(), |span: ClippedSpan| shade.row(self, span));
         Ok(())
     }
@@ -289,9 +289,11 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let plane = Plane::new(&Facet::new(corners)?, values);
-        let mut shade = DepthShade::new(depth, plane, passes, |values, _| Some(color(values)));
-        triangle::fill(corners, self.window(), |span: ClippedSpan| shade.row(self, span));
+        let (facet, window) = (Facet::new(corners)?, self.window().intersection(depth.window()));
+        let mut shade = DepthShade::over(depth, &facet, values, passes, |values, _| Some(color(values)));
+        if !window.is_empty() {
+            triangle::fill(corners, window, |span: ClippedSpan| shade.row(self, span));
+        }
         Ok(())
     }
 

@@ -143,13 +143,6 @@ impl<V: Varying> Plane<V> {
         }
     }
 
-    /// The run that begins at a pixel, where so many of the row are asked for.
-    #[inline(always)]
-    pub(crate) fn run(&self, (x, y): (i32, i32), pixels: u32) -> V::Run {
-        let row = V::row(&self.slopes, unsigned(y.wrapping_sub(self.first.1)));
-        V::stretch(&self.slopes, &row, unsigned(x.wrapping_sub(self.first.0)), pixels)
-    }
-
     /// For how many pixels a run is right.
     #[inline(always)]
     pub(crate) fn reach(&self) -> u32 {
@@ -181,6 +174,14 @@ pub(crate) struct Rows<V: Varying> {
 }
 
 impl<V: Varying> Rows<V> {
+    /// At the first row of a triangle's box, with these values at its corners.
+    #[inline(always)]
+    pub(crate) fn over(facet: &Facet, corners: [V; 3]) -> Self {
+        let (first, slopes) = (facet.first(), V::slopes(facet, corners));
+        let row = V::row(&slopes, 0);
+        Self { plane: Plane { first, slopes }, y: first.1, row }
+    }
+
     /// At row y.
     #[inline(always)]
     pub(crate) fn new(plane: Plane<V>, y: i32) -> Self {

@@ -29,7 +29,7 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{varying::Rows, Plane, Varying},
+    geom::{varying::Rows, Facet, Plane, Varying},
     span::ClippedSpan,
     surface::{self, Depth, Frame, Inside, Said, Surface},
 };
@@ -64,7 +64,9 @@ pub fn always<N: PartialOrd>(_: &N, _: &N) -> bool {
 pub struct DepthShade<'a, M, Z: Depth, V: Varying, T, F> {
     depth: &'a mut Frame<M, surface::Rows<Z>>,
     rows: Rows<Z::Number>,
-    values: Plane<V>,
+    values: Rows<V>,
+    /// For how many pixels runs of both are right.
+    reach: u32,
     passes: T,
     writes: bool,
     color: F,
@@ -76,7 +78,32 @@ impl<'a, M: AsMut<[u8]>, Z: Depth, V: Varying, T, F> DepthShade<'a, M, Z, V, T, 
     #[inline(always)]
     pub fn new(depth: &'a mut Frame<M, surface::Rows<Z>>, plane: Plane<(Z::Number, V)>, passes: T, color: F) -> Self {
         let (depths, values) = plane.split();
-        Self { depth, rows: Rows::new(depths, depths.top()), values, passes, writes: true, color }
+        Self::of(depth, Rows::new(depths, depths.top()), Rows::new(values, values.top()), passes, color)
+    }
+
+    /// Of a triangle with these depths and values at its corners.
+    #[inline(always)]
+    pub(crate) fn over(
+        depth: &'a mut Frame<M, surface::Rows<Z>>,
+        facet: &Facet,
+        corners: [(Z::Number, V); 3],
+        passes: T,
+        color: F,
+    ) -> Self {
+        let depths = Rows::over(facet, corners.each_ref().map(|corner| corner.0));
+        Self::of(depth, depths, Rows::over(facet, corners.map(|corner| corner.1)), passes, color)
+    }
+
+    #[inline(always)]
+    fn of(
+        depth: &'a mut Frame<M, surface::Rows<Z>>,
+        rows: Rows<Z::Number>,
+        values: Rows<V>,
+        passes: T,
+        color: F,
+    ) -> Self {
+        let reach = rows.reach().min(values.reach());
+        Self { depth, rows, values, reach, passes, writes: true, color }
     }
 
     /// Without keeping the depths of what it paints: for what is transparent.
@@ -88,26 +115,24 @@ impl<'a, M: AsMut<[u8]>, Z: Depth, V: Varying, T, F> DepthShade<'a, M, Z, V, T, 
 }
 
 impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool, F> DepthShade<'_, M, Z, V, T, F> {
-    /// Paints pixels of one row that lie in the window of the surface.
-    #[inline(never)]
+    /// Paints pixels of one row that lie in the windows of the surface and of the depths.
+    #[inline(always)]
     pub(crate) fn row<S: Surface>(&mut self, on: &mut S, span: ClippedSpan)
     where
         F: FnMut(V, Z::Number) -> Option<S::Color>,
     {
-        // Where there are no depths, nothing is painted.
-        let Some(span) = span.again(self.depth.window()) else { return };
-        self.rows.go_to(span.y());
-        span.parts(self.rows.reach().min(self.values.reach()), |part| self.part(on, part));
+        span.parts(self.reach, |part| self.part(on, part));
     }
 
     /// Paints pixels for which runs are right. What is hidden often lies side by side: up to the first pixel that passes, depths are
     /// compared and nothing else is computed.
-    #[inline(always)]
+    #[inline(never)]
     fn part<S: Surface>(&mut self, on: &mut S, part: ClippedSpan)
     where
         F: FnMut(V, Z::Number) -> Option<S::Color>,
     {
-        let Self { depth, rows, values, passes, writes, color } = self;
+        let Self { depth, rows, values, passes, writes, color, .. } = self;
+        rows.go_to(part.y());
         let (mut z, writes, Some(cells)) = (rows.run(part.x0(), part.len()), *writes, depth.cells(part)) else {
             return;
         };
@@ -120,7 +145,8 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
         });
         let hidden = hidden.count();
         let (Some(cells), Some(part)) = (cells.get_mut(hidden..), part.without(hidden)) else { return };
-        let (mut at, mut cells) = (values.run((part.x0(), part.y()), part.len()), cells.iter_mut());
+        values.go_to(part.y());
+        let (mut at, mut cells) = (values.run(part.x0(), part.len()), cells.iter_mut());
         on.write_inside(Inside(Said::Span(part)), |_| {
             let number = Z::Number::value(&z);
             let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
@@ -148,7 +174,8 @@ where
 {
     #[inline]
     fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        if let Some(span) = span.again(on.window()) {
+        // Where there are no depths, nothing is painted.
+        if let Some(span) = span.again(on.window().intersection(self.depth.window())) {
             self.row(on, span);
         }
     }

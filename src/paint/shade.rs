@@ -2,7 +2,7 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{varying::Rows, Plane, Varying},
+    geom::{varying::Rows, Facet, Plane, Varying},
     num::cast::unsigned,
     span::ClippedSpan,
     surface::{Inside, Said, Surface},
@@ -23,6 +23,12 @@ impl<V: Varying, F> Shade<V, F> {
     #[inline(always)]
     pub fn new(plane: Plane<V>, color: F) -> Self {
         Self { rows: Rows::new(plane, plane.top()), color }
+    }
+
+    /// Of a triangle with these values at its corners.
+    #[inline(always)]
+    pub(crate) fn over(facet: &Facet, corners: [V; 3], color: F) -> Self {
+        Self { rows: Rows::over(facet, corners), color }
     }
 }
 
