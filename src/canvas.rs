@@ -13,14 +13,14 @@ pub use self::antialias::Antialias;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, Segments, Varying},
-    paint::{Brush, DepthShade, Paint, Shade},
+    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, Plane, PointFx, Segments, Varying},
+    paint::{along, Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
         ellipse::{self, Ellipse},
         flood::{self as pour, Connectivity, FloodSlot},
-        line, outline,
+        line, line_fx, outline,
         polygon::{self, drop_out::DropOut, EdgeSlot},
         rectangle,
         rounded::{self, Radii},
@@ -117,6 +117,68 @@ pub trait Canvas: Surface {
     fn draw_line(&mut self, a: impl Into<Point>, b: impl Into<Point>, color: Self::Color) {
         let (a, b) = (a.into(), b.into());
         in_color(self, color, |window, brush| line::draw(a, b, window, brush));
+    }
+
+    /// Draws a line one pixel wide between two places: see [`line_fx`](crate::raster::line_fx) for which pixels. Between the centres
+    /// of two pixels it is [`draw_line`](Self::draw_line).
+    #[inline]
+    fn draw_line_fx(&mut self, a: PointFx, b: PointFx, color: Self::Color) {
+        in_color(self, color, |window, brush| line_fx::draw(a, b, window, brush));
+    }
+
+    /// Draws a line one pixel wide with colours that change from one end to the other: the pixels of
+    /// [`draw_line_fx`](Self::draw_line_fx), each in what `color` makes of the values there. A value is the nearest one to the exact
+    /// ratio along the line: see [`paint::along`](crate::paint::along).
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, PointFx};
+    /// let mut ram = [0; 12];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 3)?;
+    /// let ends = [(0, 0), (3, 2)].map(PointFx::from);
+    /// frame.shade_line_fx(ends, [10, 70].map(Gray8::new), |gray| gray)?;
+    /// assert_eq!(ram, [10, 0, 0, 0, 0, 30, 50, 0, 0, 0, 0, 70]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the box of the line is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    fn shade_line_fx<V: Varying>(
+        &mut self,
+        ends: [PointFx; 2],
+        values: [V; 2],
+        mut color: impl FnMut(V) -> Self::Color,
+    ) -> Result<(), TriangleTooLarge>
+    where
+        Self: Sized,
+    {
+        along::parts(ends, values, self.window(), |plane, window| {
+            let mut shade = Shade::new(plane, &mut color);
+            line_fx::draw(ends[0], ends[1], window, |span: ClippedSpan| shade.row(self, span));
+        })
+    }
+
+    /// [`shade_line_fx`](Self::shade_line_fx) of the pixels whose depth passes a test: see [`paint::depth`](crate::paint::depth). The
+    /// ends have a depth and other values.
+    ///
+    /// Where `depth` has no pixel, nothing is painted.
+    ///
+    /// # Errors
+    /// If the box of the line is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    fn depth_line_fx<M: AsMut<[u8]>, Z: Depth, V: Varying>(
+        &mut self,
+        ends: [PointFx; 2],
+        values: [(Z::Number, V); 2],
+        depth: &mut Frame<M, Rows<Z>>,
+        passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+        mut color: impl FnMut(V) -> Self::Color,
+    ) -> Result<(), TriangleTooLarge>
+    where
+        Self: Sized,
+    {
+        along::parts(ends, values, self.window(), |plane, window| {
+            let mut shade = DepthShade::new(depth, plane, &passes, |values, _| Some(color(values)));
+            line_fx::draw(ends[0], ends[1], window, |span: ClippedSpan| shade.row(self, span));
+        })
     }
 
     /// Draws lines from each point to the next. A point where two lines meet is painted twice, and a counter of pixels counts

@@ -144,7 +144,7 @@ pub struct CrossingListFull {
     pub needed: usize,
 }
 
-/// A triangle is too large for values to be exact all over it: see [`Facet`](crate::geom::Facet).
+/// A triangle, or a line, is too large for values to be exact all over it: see [`Facet`](crate::geom::Facet).
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TriangleTooLarge {
@@ -279,7 +279,7 @@ impl fmt::Display for CrossingListFull {
 impl fmt::Display for TriangleTooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { width, height, most } = *self;
-        write!(f, "triangle too large: {width} x {height} pixels, shades take {most} for both together")
+        write!(f, "triangle or line too large: {width} x {height} pixels, shades take {most} for both together")
     }
 }
 

@@ -46,7 +46,8 @@ fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, an
     let pixels = |area: Rect| area.width() as usize * area.height() as usize;
     let (owner, function) = name.split_once("::").expect("a name has an owner");
     match (owner, function) {
-        (_, "draw_line" | "fill_steps") => (line, 0),
+        (_, "draw_line" | "draw_line_fx" | "shade_line_fx" | "fill_steps") => (line, 0),
+        (_, "depth_line_fx") => (line.min(16), 0),
         (_, "draw_triangle") => (3 * line, 0),
         (_, "draw_polyline" | "draw_polygon") => ((a.corners.len() + 1) * line, 0),
         // A cubic curve passes a column three times, and a row.

@@ -13,7 +13,7 @@ use embedded_raster::{
     raster::{
         arc, coverage, ellipse,
         flood::{self, FloodTarget},
-        line, outline, polygon, rectangle, rounded, stroke, triangle,
+        line, line_fx, outline, polygon, rectangle, rounded, stroke, triangle,
     },
     surface::{paged_bytes, Counter},
     Angle, ClippedSpan, CoverageSlot, Ellipse, Index1, Index2, Index4, Index8, Layout, Octants, Palette, Path, PointFx,
@@ -40,6 +40,10 @@ calls! {
     draw => spans(|look| line::draw(a.points[0], a.points[1], window, look));
     extent => line::extent(a.points[0], a.points[1]);
     clip => a.steps().map(|steps| if steps.len() < 100 { spans(|look| steps.spans(look)) } else { 0 });
+    [line_fx]
+    draw => spans(|look| line_fx::draw(p, q, window, look));
+    extent => line_fx::extent(p, q);
+    clip => line_fx::clip(p, q, window).map(|steps| (steps.first(), steps.last()));
     [outline]
     draw => spans(|look| outline::draw(path, window, look));
     extent => outline::extent(path);

@@ -176,6 +176,14 @@ calls! {
     draw_point => on.draw_point(a.points[0], c);
     draw_point_fx => on.draw_point_fx(a.places[0], c);
     draw_line => on.draw_line(a.points[0], a.points[1], c);
+    draw_line_fx => on.draw_line_fx(a.places[0], a.places[1], c);
+    shade_line_fx => on.shade_line_fx([a.places[0], a.places[1]], [(0, -9_i32), (255, 4)], |(level, number)| {
+        color(level ^ u8::from(number & 1 == 0))
+    });
+    depth_line_fx => with_depths(window, |depths| {
+        let [first, last, _] = a.depths();
+        on.depth_line_fx([a.places[0], a.places[1]], [first, last], depths, depth::less, color).is_ok()
+    });
     draw_polyline => on.draw_polyline(a.corners.iter().copied(), c);
     draw_polygon => on.draw_polygon(a.corners.iter().copied(), c);
     draw_triangle => on.draw_triangle(a.points, c);

@@ -52,6 +52,7 @@
 //! ![A square from yellow to blue, a ball with a light on it, and a triangle from red over green to blue][gradients]
 #![doc = include_str!("pictures.md")]
 
+pub mod along;
 mod brush;
 pub mod colors;
 mod cover;

@@ -15,6 +15,9 @@
 //! Range: any `i32`. Set-up takes at most four divisions, 32-bit ones while `da m < 2^32`; a line that lies in the window
 //! takes none. Images built for size use `search`, which needs neither divisions nor products.
 //!
+//! Lines between *places*, whose ends are given to 1/256 pixel, have the same rule with other remainders: see
+//! [`line_fx`](super::line_fx).
+//!
 //! Source: J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4(1), 1965.
 
 mod search;
@@ -168,7 +171,7 @@ fn clip_far(a: Point, b: Point, window: Rect) -> Option<Steps> {
 
 /// Distances from `from` to the first and the last of the positions `low..high`, walking up or down. `None` if all lie behind.
 #[inline(always)]
-fn distances(from: i32, up: bool, low: i32, high: i32) -> Option<(u32, u32)> {
+pub(super) fn distances(from: i32, up: bool, low: i32, high: i32) -> Option<(u32, u32)> {
     if low >= high {
         return None;
     }
@@ -183,7 +186,7 @@ fn distances(from: i32, up: bool, low: i32, high: i32) -> Option<(u32, u32)> {
 }
 
 #[inline(always)]
-fn offset(from: i32, up: bool, distance: u32) -> i32 {
+pub(super) fn offset(from: i32, up: bool, distance: u32) -> i32 {
     if up {
         from.wrapping_add(signed(distance))
     } else {

@@ -8,7 +8,7 @@
 //! **Fill rules.** Walking along a row, [`NonZero`](crate::FillRule::NonZero) adds 1 at an edge that goes down, subtracts 1 at
 //! one that goes up, and draws where the sum is not 0; [`EvenOdd`](crate::FillRule::EvenOdd) draws where the count of edges is odd.
 //!
-//! **Lines** join two *pixels* and draw both: see [`mod@line`].
+//! **Lines** join two *pixels* and draw both: see [`mod@line`]. Between *places*, to 1/256 pixel: [`line_fx`].
 //!
 //! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a
 //! [`Sink`](crate::Sink), which receives what lies in the window, and says in which order.
@@ -22,6 +22,7 @@
 pub mod coverage;
 pub mod flood;
 pub mod line;
+pub mod line_fx;
 pub mod outline;
 pub mod polygon;
 pub mod rectangle;

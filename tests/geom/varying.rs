@@ -204,7 +204,7 @@ fn too_large_a_triangle_is_an_error_with_its_numbers() {
     let at = PointFx::from_bits;
     let error = Facet::new([at(0, 0), at(MOST, 1), at(5, 0)]).unwrap_err();
     assert_eq!(error, TriangleTooLarge { width: 12_288, height: 1, most: 12_288 });
-    assert_eq!(error.to_string(), "triangle too large: 12288 x 1 pixels, shades take 12288 for both together");
+    assert_eq!(error.to_string(), "triangle or line too large: 12288 x 1 pixels, shades take 12288 for both together");
     let error = Facet::new([at(i32::MIN, 0), at(i32::MAX, i32::MIN), at(5, i32::MAX)]).unwrap_err();
     assert_eq!(error, TriangleTooLarge { width: 1 << 24, height: 1 << 24, most: 12_288 });
     // Anywhere on the plane.

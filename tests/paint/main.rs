@@ -1,6 +1,7 @@
 //! Paints that change from pixel to pixel, against plain loops over all pixels.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "random numbers, cut on purpose")]
 
+mod along;
 mod cover;
 mod depth;
 mod gradient;

@@ -7,6 +7,7 @@ mod ellipse;
 mod exactly_once;
 mod flood;
 mod line;
+mod line_fx;
 mod order;
 mod path;
 mod polygon;

@@ -27,6 +27,7 @@ pub mod gradients;
 pub mod hits;
 pub mod input;
 pub mod letters;
+pub mod lines;
 pub mod memory;
 pub mod meshes;
 pub mod outlines;
