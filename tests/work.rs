@@ -46,8 +46,11 @@ fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, an
     let pixels = |area: Rect| area.width() as usize * area.height() as usize;
     let (owner, function) = name.split_once("::").expect("a name has an owner");
     match (owner, function) {
-        (_, "draw_line" | "draw_line_fx" | "shade_line_fx" | "fill_steps") => (line, 0),
-        (_, "depth_line_fx") => (line.min(16), 0),
+        (_, "draw_line" | "draw_line_fx" | "shade_line_fx" | "fill_steps") | ("Line", "draw") => (line, 0),
+        (_, "depth_line_fx") | ("Line", "draw_depth") => (line.min(16), 0),
+        // Three points.
+        ("Splat", "draw") => (3 * all, 0),
+        ("Splat", "draw_depth") => (3 * all.min(16 * 16), 0),
         (_, "draw_triangle") => (3 * line, 0),
         (_, "draw_polyline" | "draw_polygon") => ((a.corners.len() + 1) * line, 0),
         // A cubic curve passes a column three times, and a row.
@@ -71,7 +74,7 @@ fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, an
         (_, "draw_on") => (all + 2 * (w + h) + line, 0),
         // Drawn twice, by the depths that lie in 16 x 16 pixels.
         ("DepthShade", "read_only") => (2 * all.min(16 * 16), 0),
-        ("DepthShade", _) | (_, "depth_triangle_fx" | "fill_depth") => (all.min(16 * 16), 0),
+        ("DepthShade", _) | (_, "depth_triangle_fx" | "fill_depth" | "fill_behind") => (all.min(16 * 16), 0),
         (_, "bounding_box" | "fill_corridor") => (0, 0),
         _ => (all, 0),
     }

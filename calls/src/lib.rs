@@ -39,6 +39,7 @@ use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
     paint::{depth, DepthShade, Dithered, Linear, Radial, Ramp, Shade, ShadeSome},
+    pipeline::Dot,
     pixel::Lsb0,
     raster::{
         flood::{Connectivity, FloodSlot},
@@ -311,6 +312,29 @@ calls! {
     fill_depth => with_depths(window, |depths| {
         shading::pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
             triangle.fill_depth(on, depths, depth::less, |fragment| Some(color(fragment.values)));
+        })
+    });
+    fill_behind => with_depths(window, |depths| {
+        shading::pipeline(window).triangles([a.vertices()], |vertex| vertex, |triangle| {
+            triangle.fill_behind(on, depths, depth::less_equal, |fragment| Some(color(fragment.values)));
+        })
+    });
+    [Line]
+    draw => shading::pipeline(window).lines([a.ends()], |vertex| vertex, |line| {
+        line.draw(on, |fragment| (fragment.at.x & 7 != 3).then(|| color(fragment.values)));
+    });
+    draw_depth => with_depths(window, |depths| {
+        shading::pipeline(window).lines([a.ends()], |vertex| vertex, |line| {
+            line.draw_depth(on, depths, depth::less_equal, |fragment| Some(color(fragment.values)));
+        })
+    });
+    [Splat]
+    draw => shading::pipeline(window).points(a.vertices(), |vertex| vertex, |point| {
+        point.draw(Dot::Round(a.size), on, |fragment| (fragment.at.x & 7 != 3).then(|| color(fragment.values)));
+    });
+    draw_depth => with_depths(window, |depths| {
+        shading::pipeline(window).points(a.vertices(), |vertex| vertex, |point| {
+            point.draw_depth(Dot::Square(a.size), on, depths, depth::less, |fragment| Some(color(fragment.values)));
         })
     });
     [eg]

@@ -4,7 +4,10 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_raster::{
     geom::{At, Barycentric, Facet, Fast, Mix, Perspective, Plane, Runs},
     paint::{depth, Bayer, Outside},
-    pipeline::{assemble, Facing, Pipeline, Topology, Triangle, Vertex},
+    pipeline::{
+        assemble, assemble_lines, assemble_points, Facing, Line, LineTopology, Pipeline, Splat, Topology, Triangle,
+        Vertex,
+    },
     pixel::Depth16,
     surface::{
         texture::{Clamp, Mirror, Repeat, Texture, Tile},
@@ -38,7 +41,7 @@ calls! {
     parts => place.map(|place| place.parts());
     mix => place.map(|place: Barycentric| place.mix([n, m, 7]));
     [Mix]
-    mix => place.map(|place| look(Values::mix(&place, values)));
+    mix => place.map(|place| look(Values::mix(&|numbers| place.mix(numbers), values)));
     [Plane]
     new => a.facet().map(|facet| look(Plane::new(&facet, values).at(0, 0)));
     at => a.facet().map(|facet| {
@@ -86,10 +89,23 @@ calls! {
     whole_triangles => pipeline(a.window).whole_triangles([a.vertices()], |vertex| vertex, |_| ());
     indexed => pipeline(a.window)
         .indexed(Topology::Strip, &a.vertices(), a.bytes, |vertex| *vertex, |triangle| { sum(triangle.places()); });
+    lines => pipeline(a.window).lines([a.ends()], |vertex| vertex, |_| ());
+    points => pipeline(a.window).points(a.vertices(), |vertex| vertex, |_| ());
     [Vertex]
     new => Vertex::new(Vec4::from_bits([n, m, n, m]), ()).position.dot(Vec4::from_bits([m, n, m, n]));
     [assembly]
     assemble => assemble(Topology::Fan, a.places.as_slice(), a.starts).map(|fan| sum(fan.map(|corners| corners.map(|&place| place))));
+    assemble_lines => assemble_lines(LineTopology::Loop, a.places.as_slice(), a.starts)
+        .map(|lines| sum(lines.map(|ends| ends.map(|&place| place))));
+    assemble_points => assemble_points(a.places.as_slice(), a.starts).map(|points| sum(points.copied()));
+    [Line]
+    places => a.of_lines(|line| line.places().answer());
+    ends => a.of_lines(|line| sum(line.ends().map(|end| end.position.dot(end.position))));
+    number => a.of_lines(|line| line.number().answer());
+    [Splat]
+    place => a.of_points(|point| point.place().answer());
+    vertex => a.of_points(|point| point.vertex().position.dot(point.vertex().position).answer());
+    number => a.of_points(|point| point.number().answer());
     [Triangle]
     places => a.of_pieces(|triangle| triangle.places().answer());
     corners => a.of_pieces(|triangle| sum(triangle.corners().map(|corner| corner.position.dot(corner.position))));
@@ -152,6 +168,24 @@ impl<L: Layout> Arguments<'_, L> {
 
     fn pieces(&self, pipeline: Pipeline) -> u32 {
         pipeline.triangles([self.vertices()], |vertex| vertex, |_| ())
+    }
+
+    /// The first two of those corners.
+    pub(crate) fn ends(&self) -> [Vertex<u8>; 2] {
+        let [a, b, _] = self.vertices();
+        [a, b]
+    }
+
+    fn of_lines(&self, look: impl Fn(&Line<u8>) -> usize) -> usize {
+        let mut sum = 0;
+        pipeline(self.window).lines([self.ends()], |vertex| vertex, |line| sum = (sum, look(line)).answer());
+        sum
+    }
+
+    fn of_points(&self, look: impl Fn(&Splat<u8>) -> usize) -> usize {
+        let mut sum = 0;
+        pipeline(self.window).points(self.vertices(), |vertex| vertex, |point| sum = (sum, look(point)).answer());
+        sum
     }
 
     fn of_pieces(&self, look: impl Fn(&Triangle<u8>) -> usize) -> usize {

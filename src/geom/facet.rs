@@ -134,6 +134,21 @@ impl Facet {
         b.unsigned_abs().max(c.unsigned_abs()).max(b.abs_diff(c)).div_ceil(256)
     }
 
+    /// The most that a number changes over the triangle within half a pixel to the right or left and half a pixel up or down, rounded
+    /// up.
+    #[inline(never)]
+    pub(crate) fn steepness(&self, corners: [u32; 3]) -> u32 {
+        let [v0, v1, v2] = corners.map(i64::from);
+        let ([b, c], product) = (self.sides, |v: i64, side: i32| v.wrapping_mul(side.into()));
+        let (v1, v2) = (v1.wrapping_sub(v0), v2.wrapping_sub(v0));
+        let right = product(v1, c.1).wrapping_sub(product(v2, b.1));
+        let down = product(v2, b.0).wrapping_sub(product(v1, c.0));
+        // Below 2^55.6 times 2^7.
+        let (q, r) = self.divisor.quotient(right.wrapping_abs().wrapping_add(down.wrapping_abs()).wrapping_mul(128));
+        let whole = u32::try_from(q).unwrap_or(u32::MAX);
+        whole.saturating_add(u32::from(r != 0))
+    }
+
     /// How often twice its area goes into a number; at most 2^31 - 1.
     #[inline]
     pub(crate) fn times_in(&self, n: i64) -> u32 {

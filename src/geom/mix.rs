@@ -4,31 +4,34 @@ use embedded_graphics_core::geometry::Point;
 use fixed::types::{I16F16, I24F8};
 
 use super::{
-    facet::{Barycentric, Facet},
+    facet::Facet,
+    perspective::{Perspective, Runs},
     varying::{Fast, Varying},
 };
 use crate::num::cast::{low_u16, low_u8, signed, unsigned};
 
 /// What has a mean: numbers, colours, or several of them in an array or a tuple.
 ///
-/// It is rounded once, from the exact mean to the nearest value, halves upwards.
+/// It is made of means of numbers: whoever asks for it says how those are found. [`Barycentric::mix`](super::Barycentric::mix)
+/// rounds once, from the exact mean to the nearest number, halves upwards.
 /// ```
 /// use embedded_raster::geom::{Barycentric, Mix};
 /// // A quarter of the way from the first corner to the second.
 /// let place = Barycentric { weights: [3, 1, 0], total: 4 };
-/// assert_eq!(<(u8, i16)>::mix(&place, [(10, -4), (20, 4), (0, 0)]), (13, -2));
+/// let mean = |numbers| place.mix(numbers);
+/// assert_eq!(<(u8, i16)>::mix(&mean, [(10, -4), (20, 4), (0, 0)]), (13, -2));
 /// ```
 pub trait Mix: Copy {
-    /// The mean of three values, weighted as a place lies between the corners that have them. The place is in the triangle.
-    fn mix(place: &Barycentric, corners: [Self; 3]) -> Self;
+    /// The mean of three values, where `mean` is that of three numbers. It is not out of their range.
+    fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self;
 }
 
 macro_rules! numbers {
     ($($type:ty, |$n:ident| $bits:expr, |$back:ident| $value:expr;)*) => {
         $(impl Mix for $type {
             #[inline]
-            fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
-                let $back = place.mix(corners.map(|$n| $bits));
+            fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self {
+                let $back = mean(corners.map(|$n| $bits));
                 $value
             }
         })*
@@ -48,23 +51,40 @@ numbers! {
 
 impl Mix for () {
     #[inline(always)]
-    fn mix(_: &Barycentric, _: [Self; 3]) {}
+    fn mix(_: &impl Fn([i32; 3]) -> i32, _: [Self; 3]) {}
 }
 
 impl<V: Mix> Mix for Fast<V> {
     #[inline(always)]
-    fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
-        Self(V::mix(place, corners.map(|fast| fast.0)))
+    fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self {
+        Self(V::mix(mean, corners.map(|fast| fast.0)))
+    }
+}
+
+/// In space both change evenly: what is seen in perspective is right of parts of a triangle, too.
+impl<V: Mix> Mix for Perspective<V> {
+    #[inline(always)]
+    fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self {
+        let (w, value) = Mix::mix(mean, corners.map(|seen| (seen.w, seen.value)));
+        Self { w, value }
+    }
+}
+
+impl<V: Mix, const N: u32> Mix for Runs<V, N> {
+    #[inline(always)]
+    fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self {
+        let (w, value) = Mix::mix(mean, corners.map(|seen| (seen.w, seen.value)));
+        Self { w, value }
     }
 }
 
 impl<V: Mix, const N: usize> Mix for [V; N] {
     #[inline]
-    fn mix(place: &Barycentric, [a, b, c]: [Self; 3]) -> Self {
+    fn mix(mean: &impl Fn([i32; 3]) -> i32, [a, b, c]: [Self; 3]) -> Self {
         let mut rest = b.into_iter().zip(c);
         a.map(|a| {
             let (b, c) = rest.next().unwrap_or((a, a));
-            V::mix(place, [a, b, c])
+            V::mix(mean, [a, b, c])
         })
     }
 }
@@ -73,8 +93,8 @@ macro_rules! tuple {
     ($($name:ident $place:tt),*) => {
         impl<$($name: Mix),*> Mix for ($($name,)*) {
             #[inline]
-            fn mix(place: &Barycentric, [a, b, c]: [Self; 3]) -> Self {
-                ($($name::mix(place, [a.$place, b.$place, c.$place]),)*)
+            fn mix(mean: &impl Fn([i32; 3]) -> i32, [a, b, c]: [Self; 3]) -> Self {
+                ($($name::mix(mean, [a.$place, b.$place, c.$place]),)*)
             }
         }
     };
@@ -140,7 +160,7 @@ impl Varying for At {
 
 impl Mix for At {
     #[inline(always)]
-    fn mix(_: &Barycentric, [first, ..]: [Self; 3]) -> Self {
+    fn mix(_: &impl Fn([i32; 3]) -> i32, [first, ..]: [Self; 3]) -> Self {
         first
     }
 }

@@ -58,6 +58,12 @@ impl WideDivisor {
         (signed_wide(q), r)
     }
 
+    /// `n / d`, rounded to the nearest number, halves upwards. The caller knows that n and half of d are below 2^63 together.
+    #[inline]
+    pub(crate) fn nearest(&self, n: i64) -> i64 {
+        self.quotient(n.wrapping_add(signed_wide(self.d >> 1))).0
+    }
+
     /// `n / d`: not below it, and above it by at most `3 2^-64`. Of the whole part, the low 32 bits.
     ///
     /// A remainder is below d. So its product with the reciprocal, divided by `2^(63 - s)`, is too small by less than 2 units of

@@ -21,7 +21,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use crate::{
-    geom::{varying::ByteSlopes, Barycentric, Facet, Fast, Mix, Varying},
+    geom::{varying::ByteSlopes, Facet, Fast, Mix, Varying},
     num::{
         cast::{low_u32, low_u64, low_u8, signed_wide},
         wide::times_small,
@@ -375,8 +375,8 @@ macro_rules! mix {
     ($($color:ty, |$c:ident| $split:expr, |$l:pat_param| $join:expr;)*) => {
         $(impl Mix for $color {
             #[inline]
-            fn mix(place: &Barycentric, corners: [Self; 3]) -> Self {
-                let $l = Mix::mix(place, corners.map(|$c| $split));
+            fn mix(mean: &impl Fn([i32; 3]) -> i32, corners: [Self; 3]) -> Self {
+                let $l = Mix::mix(mean, corners.map(|$c| $split));
                 $join
             }
         })*

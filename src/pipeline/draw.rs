@@ -2,38 +2,41 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use super::vertex::{Facing, Vertex};
+use super::{
+    depth::{self, DepthOf},
+    vertex::{Facing, Vertex},
+    viewport::Projected,
+};
 use crate::{
     canvas::Canvas,
     geom::{At, Facet, Plane, PointFx, Varying},
-    num::{cast::magnitude, divisor::WideDivisor},
     paint::{DepthShade, ShadeSome},
     raster::triangle,
     span::Rect,
-    surface::{Depth, Frame, Rows, Surface},
+    surface::{Frame, Rows, Surface},
 };
 
 /// A triangle on the screen.
 #[derive(Copy, Clone, Debug)]
 pub struct Triangle<V> {
-    pub(super) places: [PointFx; 3],
+    pub(super) projected: [Projected; 3],
     pub(super) corners: [Vertex<V>; 3],
     pub(super) facing: Facing,
     pub(super) number: u32,
 }
 
-/// A pixel of a triangle, as the fragment stage sees it.
+/// A pixel of a triangle, a line or a point, as the fragment stage sees it.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Fragment<V, D = ()> {
     /// The pixel.
     pub at: Point,
-    /// What changes over the triangle, as it is at the centre of the pixel.
+    /// What changes over the triangle, as it is at the centre of the pixel; what changes along a line; what belongs to a point.
     pub values: V,
-    /// How far away it is, of a triangle that is drawn with a depth buffer.
+    /// How far away it is, if there is a depth buffer.
     pub depth: D,
-    /// Which side of the triangle is seen.
+    /// Which side of the triangle is seen. Lines and points look like fronts.
     pub facing: Facing,
-    /// The number of the triangle, from 1 on.
+    /// The number of the triangle, the line or the point, from 1 on.
     pub number: u32,
 }
 
@@ -41,7 +44,8 @@ impl<V> Triangle<V> {
     /// Where its corners are on the screen.
     #[inline]
     pub const fn places(&self) -> [PointFx; 3] {
-        self.places
+        let [a, b, c] = &self.projected;
+        [a.place, b.place, c.place]
     }
 
     /// What the vertex stage made of its corners; of a triangle that was cut, what lies between.
@@ -72,8 +76,9 @@ impl<V: Varying> Triangle<V> {
         if !self.reaches(on.window()) {
             return;
         }
-        let Some(plane) = self.plane(|corner| (At::default(), corner.values)) else { return };
-        let Self { facing, number, places, .. } = *self;
+        let Ok(facet) = Facet::new(self.places()) else { return };
+        let plane = Plane::new(&facet, self.corners.each_ref().map(|corner| (At::default(), corner.values)));
+        let (Self { facing, number, .. }, places) = (*self, self.places());
         let shade =
             ShadeSome::new(plane, |(At(at), values)| fragment(Fragment { at, values, depth: (), facing, number }));
         on.paint(shade, |window, brush| triangle::fill(places, window, brush));
@@ -86,16 +91,50 @@ impl<V: Varying> Triangle<V> {
         on: &mut S,
         depth: &mut Frame<M, Rows<Z>>,
         passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+        fragment: impl FnMut(Fragment<V, Z::Number>) -> Option<S::Color>,
+    ) {
+        self.fill_depths(on, depth, |_, depths| depths, passes, fragment);
+    }
+
+    /// [`fill_depth`](Self::fill_depth), set back a little, so that lines along its sides are in front of it: for pictures of lines
+    /// without those that are hidden. Fill the triangles so, in the colour of the background, then draw lines with
+    /// [`less_equal`](crate::paint::depth::less_equal).
+    ///
+    /// All depths are larger by m + 1, where m is the most that the triangle's depth changes within half a pixel each way, and not more
+    /// than it changes over the whole triangle. The centre of a pixel of a line lies beside the line by half a pixel each way at most.
+    /// So its depth is not more than m away from that of the triangle there, and no triangle hides a side of its own. Depths stop at
+    /// the largest one. Of a triangle that is seen nearly edge-on, m is large, and a line close behind it may be seen.
+    pub fn fill_behind<S: Surface, M: AsMut<[u8]>, Z: DepthOf>(
+        &self,
+        on: &mut S,
+        depth: &mut Frame<M, Rows<Z>>,
+        passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+        fragment: impl FnMut(Fragment<V, Z::Number>) -> Option<S::Color>,
+    ) {
+        let set_back = |facet: &Facet, depths: [u32; 3]| depth::set_back::<Z>(depths, facet.steepness(depths));
+        self.fill_depths(on, depth, set_back, passes, fragment);
+    }
+
+    /// With depths that are made of those of the corners.
+    #[inline(always)]
+    fn fill_depths<S: Surface, M: AsMut<[u8]>, Z: DepthOf>(
+        &self,
+        on: &mut S,
+        depth: &mut Frame<M, Rows<Z>>,
+        change: impl FnOnce(&Facet, [u32; 3]) -> [u32; 3],
+        passes: impl Fn(&Z::Number, &Z::Number) -> bool,
         mut fragment: impl FnMut(Fragment<V, Z::Number>) -> Option<S::Color>,
     ) {
         if !self.reaches(on.window()) {
             return;
         }
-        let plane = self.plane(|corner| {
-            (Z::of(corner.position.z.to_bits(), corner.position.w.to_bits()), (At::default(), corner.values))
-        });
-        let Some(plane) = plane else { return };
-        let Self { facing, number, places, .. } = *self;
+        // It lies in the guard band, where every triangle is a facet.
+        let Ok(facet) = Facet::new(self.places()) else { return };
+        let [a, b, c] = &self.corners;
+        let [d, e, f] = change(&facet, self.projected.each_ref().map(depth::of::<Z>)).map(Z::number);
+        let at = At::default();
+        let plane = Plane::new(&facet, [(d, (at, a.values)), (e, (at, b.values)), (f, (at, c.values))]);
+        let (Self { facing, number, .. }, places) = (*self, self.places());
         let shade = DepthShade::new(depth, plane, passes, |(At(at), values), depth| {
             fragment(Fragment { at, values, depth, facing, number })
         });
@@ -105,40 +144,8 @@ impl<V: Varying> Triangle<V> {
     /// Whether its box and a window have pixels in common. Of a band most triangles have none: their values are not asked for.
     #[inline]
     fn reaches(&self, window: Rect) -> bool {
-        let [a, b, c] = self.places.map(|place| (place.x.to_bits() >> 8, place.y.to_bits() >> 8));
+        let [a, b, c] = self.places().map(|place| (place.x.to_bits() >> 8, place.y.to_bits() >> 8));
         let overlap = |a: i32, b: i32, c: i32, from: i32, to: i32| a.min(b).min(c) < to && a.max(b).max(c) >= from;
         overlap(a.0, b.0, c.0, window.x0, window.x1) && overlap(a.1, b.1, c.1, window.y0, window.y1)
     }
-
-    /// The values over it. It lies in the guard band, where every triangle is a facet.
-    #[inline(always)]
-    fn plane<W: Varying>(&self, of: impl FnMut(&Vertex<V>) -> W) -> Option<Plane<W>> {
-        let facet = Facet::new(self.places).ok()?;
-        Some(Plane::new(&facet, self.corners.each_ref().map(of)))
-    }
 }
-
-/// Depths that the pipeline makes of z and w.
-pub trait DepthOf: Depth {
-    /// The nearest depth to `MAX z / w`, for z from 0 to w.
-    #[doc(hidden)]
-    fn of(z: i32, w: i32) -> Self::Number;
-}
-
-macro_rules! depth_of {
-    ($depth:ty, $number:ty) => {
-        impl DepthOf for $depth {
-            #[inline]
-            fn of(z: i32, w: i32) -> $number {
-                let (z, w) = (i64::from(z.clamp(0, w.max(0))), i64::from(w.max(1)));
-                // Below 2^63: 2^31 times 2^32.
-                let n = z.wrapping_mul(<$number>::MAX.into()).wrapping_add(w >> 1);
-                let (q, _) = WideDivisor::new(magnitude(w)).quotient(n);
-                <$number>::try_from(q).unwrap_or(<$number>::MAX)
-            }
-        }
-    };
-}
-
-depth_of!(crate::pixel::Depth16, u16);
-depth_of!(crate::pixel::Depth32, u32);

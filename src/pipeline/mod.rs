@@ -5,7 +5,7 @@
 //!        |
 //!   vertex stage                a closure: to clip coordinates, and the values that change over a triangle
 //!        |
-//!   assembly                    three corners each: from a list, a strip or a fan
+//!   assembly                    three corners each: from a list, a strip or a fan; two ends of a line; points
 //!        |
 //!   clipping                    the near and the far plane, and a guard band around the picture
 //!        |
@@ -15,7 +15,7 @@
 //!        |
 //!   culling                     of triangles seen from the back, or from the front
 //!        |
-//!   rasterization               the pixels whose centres lie inside, each with its depth and values
+//!   rasterization               the pixels of a triangle, a line or a point, each with its depth and values
 //!        |
 //!   fragment stage              a closure: the colour of a pixel, or none
 //!        |
@@ -70,12 +70,37 @@
 //! one. Depths are z / w, which is linear on the screen. Other values change linearly on the screen as well: see
 //! [`Triangle::fill`].
 //!
-//! A triangle that a plane cuts gets new corners on its edges. They are computed from the two ends of an edge, from the inner one to
-//! the outer one, whichever triangle asks: so both triangles of an edge get the same corner, and there are no cracks. Each
-//! coordinate is rounded once for each plane.
+//! A triangle that planes cut gets new corners. Each of their coordinates and values is rounded once, to the nearest number, from the
+//! exact place where two planes meet in the triangle or one crosses an edge, however many planes cut; so is its place on the screen. A corner on an edge comes of
+//! the two ends of the edge alone: so both triangles of an edge get the same one, and there are no cracks.
 //!
-//! Any bits in matrices, vertices and viewports are fine: nothing wraps around, and the work for a triangle is bounded by the pixels
-//! that it has in the window and a constant.
+//! Any bits in matrices, vertices and viewports are fine: nothing wraps around, and the work for a triangle, a line or a point is
+//! bounded by the pixels that it has in the window and a constant.
+//!
+//! # Lines and points
+//! [`Pipeline::lines`] and [`Pipeline::points`] take what they are given through the same stages: see [`Line`] and [`Splat`] for
+//! which pixels they have. Lines are cut by the same planes as triangles, and points are left out outside of them. With a depth
+//! buffer, a mesh of lines without those that are hidden takes two passes: the triangles in the colour of the background by
+//! [`Triangle::fill_behind`], and then its edges by [`Line::draw_depth`].
+//! ```
+//! use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+//! use embedded_raster::{paint::depth, pipeline::{Pipeline, Vertex}, pixel::Depth16, surface::DepthBuffer, Framebuffer, Vec4};
+//!
+//! let (mut ram, mut depth_ram) = ([b'.'; 8 * 5], [0; 8 * 5 * 2]);
+//! let mut frame = Framebuffer::<Gray8>::new(&mut ram, 8, 5)?;
+//! let mut depths = DepthBuffer::<Depth16>::new(&mut depth_ram, 8, 5)?;
+//! depths.clear(Depth16::MAX);
+//! let (pipeline, vertex) = (Pipeline::new(8, 5), |at| Vertex::new(at, ()));
+//! // A triangle, and a line that passes behind it.
+//! let triangle = [(1, 4), (1, -4), (-2, 0)].map(|(x, y)| Vec4::whole(x, y, 1, 4));
+//! pipeline.triangles([triangle], vertex, |it| it.fill_behind(&mut frame, &mut depths, depth::less, |_| Some(Gray8::new(b'#'))));
+//! let line = [(-3, 1), (3, 1)].map(|(x, z)| Vec4::whole(x, 0, z + 1, 4));
+//! pipeline.lines([line], vertex, |it| {
+//!     it.draw_depth(&mut frame, &mut depths, depth::less_equal, |_| Some(Gray8::new(b'-')));
+//! });
+//! assert_eq!(&ram[16..24], b".-###---");
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
 //!
 //! Sources: I. Sutherland and G. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17, 1974; J. Blinn and M. Newell,
 //! "Clipping Using Homogeneous Coordinates", SIGGRAPH 1978.
@@ -83,16 +108,25 @@
 
 mod assembly;
 mod clip;
+mod depth;
 mod draw;
+mod line;
+mod splat;
 mod vertex;
 mod viewport;
 
 pub use self::{
-    assembly::{assemble, Index, IndexOutOfRange, Topology},
+    assembly::{assemble, assemble_lines, assemble_points, Index, IndexOutOfRange, LineTopology, Topology},
+    depth::DepthOf,
     draw::{Fragment, Triangle},
+    line::Line,
+    splat::{Dot, Splat},
     vertex::{Facing, Vertex},
 };
-use self::{clip::Clipped, viewport::Screen};
+use self::{
+    clip::Clipped,
+    viewport::{Corner, Screen},
+};
 use crate::geom::Mix;
 
 /// The fixed stages between vertices and fragments. See the [module](self) for what they are.
@@ -139,11 +173,15 @@ impl Pipeline {
             number = number.wrapping_add(1);
             let corners = corners.map(&mut vertex);
             let mut piece =
-                |corners: &[Vertex<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
+                |corners: &[Corner<V>; 3]| count = count.wrapping_add(self.finish(corners, number, &mut draw));
             match clip::look(self.screen, &corners) {
                 Clipped::Outside => {}
-                Clipped::Inside => piece(&corners),
-                Clipped::Cut(planes) => clip::cut(self.screen, corners, planes, piece),
+                Clipped::Inside => {
+                    if let Some(corners) = self.screen.corners(corners) {
+                        piece(&corners);
+                    }
+                }
+                Clipped::Cut(planes) => clip::cut(self.screen, &corners, planes, piece),
             }
         }
         count
@@ -173,6 +211,7 @@ impl Pipeline {
             number = number.wrapping_add(1);
             let corners = corners.map(&mut vertex);
             if let Clipped::Inside = clip::look(self.screen, &corners) {
+                let Some(corners) = self.screen.corners(corners) else { continue };
                 count = count.wrapping_add(self.finish(&corners, number, &mut draw));
             }
         }
@@ -211,19 +250,91 @@ impl Pipeline {
         Ok(self.triangles(assemble(topology, vertices, indices)?, vertex, draw))
     }
 
-    /// What is between the planes, from the perspective divide to culling. How many of it were drawn: one or none.
+    /// Takes lines through all stages up to the viewport, and hands each that is left to `draw`: see [`Line::draw`]. Returns how many
+    /// came.
+    ///
+    /// * `lines`: two vertices each, as the program has them.
+    /// * `vertex`: the vertex stage.
+    pub fn lines<A, V: Mix>(
+        &self,
+        lines: impl IntoIterator<Item = [A; 2]>,
+        mut vertex: impl FnMut(A) -> Vertex<V>,
+        mut draw: impl FnMut(&Line<V>),
+    ) -> u32 {
+        let (mut number, mut count) = (0_u32, 0_u32);
+        for ends in lines {
+            number = number.wrapping_add(1);
+            let ends = ends.map(&mut vertex);
+            let [a, b] = ends.each_ref().map(|end| clip::planes(self.screen, end.position));
+            let left = match a | b {
+                0 => self.screen.ends(ends),
+                planes => clip::cut_line(self.screen, &ends, planes),
+            };
+            let Some(ends) = left else { continue };
+            let (projected, ends) = (ends.each_ref().map(|end| end.projected), ends.map(|end| end.vertex));
+            draw(&Line { projected, ends, number });
+            count = count.wrapping_add(1);
+        }
+        count
+    }
+
+    /// Takes points through all stages up to the viewport, and hands each that is left to `draw`: see [`Splat::draw`]. Returns how
+    /// many came.
+    ///
+    /// * `points`: vertices, as the program has them.
+    /// * `vertex`: the vertex stage.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+    /// use embedded_raster::{pipeline::{Dot, Pipeline, Vertex}, px, Framebuffer, Vec4};
+    /// let mut ram = [b'.'; 24];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 8, 3)?;
+    /// // The nearer, the larger: 4 pixels where w is 1.
+    /// Pipeline::new(8, 3).points(
+    ///     [Vec4::whole(-2, 0, 1, 4), Vec4::whole(1, 0, 1, 2)],
+    ///     |at| Vertex::new(at, ()),
+    ///     |point| {
+    ///         let size = px(4) / point.vertex().position.w.to_num::<i32>();
+    ///         point.draw(Dot::Square(size), &mut frame, |_| Some(Gray8::new(b'#')));
+    ///     },
+    /// );
+    /// assert_eq!(&ram, b".....##..#...##.........");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    pub fn points<A, V: Copy>(
+        &self,
+        points: impl IntoIterator<Item = A>,
+        mut vertex: impl FnMut(A) -> Vertex<V>,
+        mut draw: impl FnMut(&Splat<V>),
+    ) -> u32 {
+        let (mut number, mut count) = (0_u32, 0_u32);
+        for point in points {
+            number = number.wrapping_add(1);
+            let vertex = vertex(point);
+            if clip::planes(self.screen, vertex.position) != 0 {
+                continue;
+            }
+            if let Some(projected) = self.screen.project(vertex.position) {
+                draw(&Splat { projected, vertex, number });
+                count = count.wrapping_add(1);
+            }
+        }
+        count
+    }
+
+    /// Culling. How many of it were drawn: one or none.
     ///
     /// Not inlined: it is called for whole triangles and for pieces, and `draw` may be large.
     #[inline(never)]
-    fn finish<V: Copy>(self, corners: &[Vertex<V>; 3], number: u32, draw: &mut impl FnMut(&Triangle<V>)) -> u32 {
-        let Some(places) = self.screen.places(corners) else { return 0 };
-        let turn = viewport::turn(places);
+    fn finish<V: Copy>(self, corners: &[Corner<V>; 3], number: u32, draw: &mut impl FnMut(&Triangle<V>)) -> u32 {
+        let projected = corners.each_ref().map(|corner| corner.projected);
+        let turn = viewport::turn(projected.each_ref().map(|it| it.place));
         let is_front = (turn > 0) == self.front_is_clockwise;
         let facing = if is_front { Facing::Front } else { Facing::Back };
         if turn == 0 || self.culled == Some(facing) {
             return 0;
         }
-        draw(&Triangle { places, corners: *corners, facing, number });
+        let corners = corners.each_ref().map(|corner| corner.vertex);
+        draw(&Triangle { projected, corners, facing, number });
         1
     }
 }

@@ -20,8 +20,8 @@ impl Screen {
     /// The largest picture each way.
     const MOST: u16 = 4096;
     /// How far from the middle of the picture a corner may lie, in half pixels: what a [`Facet`](crate::geom::Facet) may have, half
-    /// of it each way, in both directions, less what rounding may add.
-    pub(super) const GUARD: i64 = 6_143;
+    /// of it each way, in both directions, less what rounding and the pixels around a line may add.
+    pub(super) const GUARD: i64 = 6_140;
 
     pub(super) const fn new(width: u16, height: u16) -> Self {
         const fn least(n: u16) -> u16 {
@@ -34,30 +34,59 @@ impl Screen {
         Self { width: least(width), height: least(height) }
     }
 
-    /// Where three corners lie on the screen. `None` if one has no w above 0, which only happens where all its coordinates are 0.
-    #[inline]
-    pub(super) fn places<V>(self, corners: &[Vertex<V>; 3]) -> Option<[PointFx; 3]> {
-        let [a, b, c] = corners.each_ref().map(|corner| corner.position);
-        Some([self.place(a)?, self.place(b)?, self.place(c)?])
+    /// A vertex in the guard band, projected.
+    #[inline(always)]
+    pub(super) fn corner<V>(self, vertex: Vertex<V>) -> Option<Corner<V>> {
+        Some(Corner { projected: self.project(vertex.position)?, vertex })
     }
 
-    /// Where a corner in the guard band lies.
+    /// Three of them.
+    #[inline(always)]
+    pub(super) fn corners<V>(self, [a, b, c]: [Vertex<V>; 3]) -> Option<[Corner<V>; 3]> {
+        Some([self.corner(a)?, self.corner(b)?, self.corner(c)?])
+    }
+
+    /// Two of them.
+    #[inline(always)]
+    pub(super) fn ends<V>(self, [a, b]: [Vertex<V>; 2]) -> Option<[Corner<V>; 2]> {
+        Some([self.corner(a)?, self.corner(b)?])
+    }
+
+    /// Where a place in the guard band lies, in clip coordinates or some power of two times as much. `None` if its w is not above 0, which only happens where all its coordinates are 0.
     ///
     /// Products: a coordinate below 2^31 times 128 times a size of up to 2^12 is below 2^50.
     #[inline(never)]
-    fn place(self, at: Vec4) -> Option<PointFx> {
+    pub(super) fn project(self, at: Vec4) -> Option<Projected> {
         let [x, y, _, w] = at.to_bits().map(i64::from);
         if w <= 0 {
             return None;
         }
-        let divisor = WideDivisor::new(magnitude(w));
+        let w = WideDivisor::new(magnitude(w));
         let part = |n: i64, size: u16| {
             let half = i64::from(size).wrapping_mul(128);
-            let (q, _) = divisor.quotient(n.wrapping_mul(half).wrapping_add(w >> 1));
-            saturate(q.wrapping_add(half))
+            saturate(w.nearest(n.wrapping_mul(half)).wrapping_add(half))
         };
-        Some(PointFx::from_bits(part(x, self.width), part(y.wrapping_neg(), self.height)))
+        let place = PointFx::from_bits(part(x, self.width), part(y.wrapping_neg(), self.height));
+        Some(Projected { place, z: at.z.to_bits(), w })
     }
+}
+
+/// A vertex after the perspective divide.
+#[derive(Copy, Clone)]
+pub(super) struct Corner<V> {
+    pub(super) vertex: Vertex<V>,
+    pub(super) projected: Projected,
+}
+
+/// Where it is.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Projected {
+    /// Where it is on the screen.
+    pub(super) place: PointFx,
+    /// How far away it is, before the division.
+    pub(super) z: i32,
+    /// What it was divided by, and z has to be.
+    pub(super) w: WideDivisor,
 }
 
 /// Twice the area of a triangle on the screen, positive when its corners turn clockwise there. The corners lie in the guard band.

@@ -10,4 +10,7 @@
     reason = "the twin computes with floating point, with a margin"
 )]
 
+mod clip;
+mod closed;
+mod lines;
 mod stages;

@@ -13,18 +13,18 @@ use embedded_raster::{
 use fixed::types::I16F16;
 use twins::rng::{cases, Rng};
 
-const WIDTH: i32 = 48;
-const HEIGHT: i32 = 36;
+pub(crate) const WIDTH: i32 = 48;
+pub(crate) const HEIGHT: i32 = 36;
 
 /// A surface that counts how often each pixel is painted.
-struct Hits(Vec<i32>, Rect);
+pub(crate) struct Hits(pub(crate) Vec<i32>, Rect);
 
 impl Hits {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(vec![0; (WIDTH * HEIGHT) as usize], Rect::new(0, 0, WIDTH, HEIGHT))
     }
 
-    fn add(&mut self, triangle: &Triangle<()>, by: i32) {
+    pub(crate) fn add(&mut self, triangle: &Triangle<()>, by: i32) {
         struct Add<'a>(&'a mut Hits, i32);
         impl Surface for Add<'_> {
             type Color = Gray8;
@@ -41,11 +41,11 @@ impl Hits {
     }
 }
 
-fn pipeline() -> Pipeline {
+pub(crate) fn pipeline() -> Pipeline {
     Pipeline::new(WIDTH as u16, HEIGHT as u16)
 }
 
-fn plain(place: Vec4) -> Vertex<()> {
+pub(crate) fn plain(place: Vec4) -> Vertex<()> {
     Vertex::new(place, ())
 }
 
@@ -95,7 +95,7 @@ fn has(corners: [[f64; 4]; 3], x: f64, y: f64) -> Option<f64> {
 }
 
 /// A corner in clip coordinates: anywhere, behind the eye, far outside, at the ends of the type.
-fn corner(rng: &mut Rng) -> Vec4 {
+pub(crate) fn corner(rng: &mut Rng) -> Vec4 {
     let scale = rng.pick(&[1 << 16, 1 << 18, 1 << 22, i32::MAX]);
     let w = rng.int(-scale / 4, scale);
     let part = |rng: &mut Rng| rng.int(-scale, scale);
@@ -143,7 +143,7 @@ fn clipped_triangles_cover_what_they_should() {
 }
 
 /// A cube, or a body with more faces: corners and triangles that turn counter-clockwise as seen from outside.
-fn body(rng: &mut Rng) -> (Vec<Vec3>, Vec<[usize; 3]>) {
+pub(crate) fn body(rng: &mut Rng) -> (Vec<Vec3>, Vec<[usize; 3]>) {
     if rng.one_in(2) {
         let corners =
             (0..8).map(|i| Vec3::whole(i & 1, i >> 1 & 1, i >> 2) * I16F16::from_num(2) - Vec3::whole(1, 1, 1));

@@ -19,6 +19,7 @@
 
 pub mod arcs;
 pub mod arguments;
+pub mod clipping;
 pub mod coverage;
 pub mod curves;
 pub mod drop_outs;
