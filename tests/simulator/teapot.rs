@@ -271,9 +271,7 @@ fn bands_show_the_whole() {
             for &rows in if [1, 4, 16].contains(&bits) { &all[..] } else { &all[2..3] } {
                 let bands = draw(bits, &mesh, view, &camera(), Some(rows)).expect("it has pixels");
                 assert!(bands.picture == whole.picture, "{view:?} at {bits} bits in bands of {rows} rows");
-                if view != View::Wire {
-                    assert_eq!(bands.fragments, whole.fragments, "{view:?} in bands of {rows} rows");
-                }
+                assert_eq!(bands.fragments, whole.fragments, "{view:?} in bands of {rows} rows");
                 let part = |bytes: usize| bytes / usize::from(HEIGHT) * usize::from(rows.min(HEIGHT));
                 let memory = [whole.color, whole.depth, whole.scratch].map(part);
                 assert_eq!([bands.color, bands.depth, bands.scratch], memory, "{view:?} in bands of {rows} rows");
@@ -344,6 +342,22 @@ impl Twin {
     }
 }
 
+impl Twin {
+    /// Where a place is on the texture, if it lies inside: what is over the distance, over one over the distance.
+    fn texel(&self, corners: &[Corner; 3], x: f64, y: f64) -> Option<[f64; 2]> {
+        let (inside, distance) = self.at(x, y);
+        let [a, b, c] = self.corners;
+        let edge = |a: [f64; 3], b: [f64; 3]| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+        let whole = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let weights = [edge(b, c), edge(c, a), edge(a, b)].map(|w| w / whole);
+        let sum = |axis: usize| {
+            let parts = (0..3).map(|i| weights[i] * corners[i].texel[axis].to_num::<f64>() / self.corners[i][2]);
+            parts.sum::<f64>() * distance
+        };
+        (inside > 0.02).then(|| [sum(0), sum(1)])
+    }
+}
+
 /// Pixels that are surely inside of a triangle are painted, those surely outside of all are not, and where one triangle is surely the
 /// nearest, the pixel has its colour.
 #[test]
@@ -405,6 +419,67 @@ fn the_flat_view_is_that_of_floats() {
         inside > 15_000 && outside > 40_000 && colored > 12_000,
         "{inside} inside, {outside} outside, {colored} with a colour"
     );
+}
+
+/// Where no triangle ends near a pixel, its colour tells how many triangles it lies in: one colour for each number up to fifteen.
+#[test]
+fn overdraw_counts_triangles() {
+    let bodies = [teapot(View::Overdraw), obj("teapot.obj").expect("a mesh"), obj("cube.obj").expect("a mesh")];
+    let mut colors = HashMap::new();
+    let mut pixels = 0;
+    for mesh in &bodies {
+        for (yaw, pitch) in [(-25, 22), (0, 0), (100, -40), (211, 80)] {
+            let camera = Camera { yaw: Angle::degrees(yaw), pitch: Angle::degrees(pitch), ..camera() };
+            let drawing = draw(24, mesh, View::Overdraw, &camera, None).expect("it has pixels");
+            let twins = floats(mesh, &camera);
+            let mut least = 0;
+            for (at, color) in drawing.picture.colors().enumerate() {
+                let (x, y) = (at % usize::from(WIDTH), at / usize::from(WIDTH));
+                let centre = |n: usize| f64::from(u16::try_from(n).expect("small")) + 0.5;
+                let inside: Vec<f64> = twins.iter().map(|twin| twin.at(centre(x), centre(y)).0).collect();
+                let times = inside.iter().filter(|&&inside| inside > 0.0).count();
+                least += inside.iter().filter(|&&inside| inside > 0.02).count() as u64;
+                if inside.iter().all(|inside| inside.abs() > 0.02) {
+                    let known = *colors.entry(times.min(15)).or_insert(color);
+                    assert_eq!(color, known, "{x}, {y} lies in {times} triangles at {yaw}, {pitch}");
+                    pixels += 1;
+                }
+            }
+            assert!(drawing.fragments >= least && drawing.fragments < least + least / 5 + 50, "{least} are sure");
+        }
+    }
+    let different: HashSet<_> = colors.values().map(|c| (c.r(), c.g(), c.b())).collect();
+    assert!(different.len() == colors.len() && colors.len() >= 5 && pixels > 50_000, "{pixels} pixels, {colors:?}");
+}
+
+/// A square that leads into the distance: its chequers are where rays of the eye meet them, not where the middle of its sides is on
+/// the screen.
+#[test]
+fn textures_are_seen_in_perspective() {
+    // Two triangles, 16 squares of the chequerboard each way, tilted.
+    let square = b"v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    let mesh = Mesh::parse_obj(square).expect("it is well-formed");
+    let (mut checked, mut light) = (0, 0);
+    for (yaw, pitch) in [(0, 0), (0, -70), (60, 20), (-50, 45), (30, 75)] {
+        let camera = Camera { yaw: Angle::degrees(yaw), pitch: Angle::degrees(pitch), ..Camera::new(192, 144) };
+        let picture = draw(24, &mesh, View::Textured, &camera, None).expect("it has pixels").picture;
+        let twins = floats(&mesh, &camera);
+        for (twin, corners) in twins.iter().zip(&mesh.triangles) {
+            for (at, color) in picture.colors().enumerate() {
+                let (x, y) = (at % 192, at / 192);
+                let centre = |n: usize| f64::from(u16::try_from(n).expect("small")) + 0.5;
+                let Some(texel) = twin.texel(corners, centre(x), centre(y)) else { continue };
+                // Not beside a side of a square.
+                if texel.iter().any(|n| (n - n.round()).abs() < 0.05) {
+                    continue;
+                }
+                let is_light = (texel[0].floor() as i32 ^ texel[1].floor() as i32) & 1 == 0;
+                assert_eq!(color.r() > color.b(), is_light, "{x}, {y} at {yaw}, {pitch}: {texel:?}, {color:?}");
+                (checked, light) = (checked + 1, light + u32::from(is_light));
+            }
+        }
+    }
+    assert!(checked > 15_000 && (checked * 2 / 5..checked * 3 / 5).contains(&light), "{light} of {checked}");
 }
 
 /// All views show the same pixels of the same triangles.

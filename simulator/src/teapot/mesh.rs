@@ -32,6 +32,23 @@ impl Mesh {
         direction(cross(a.place, b.place, c.place))
     }
 
+    /// The sides of its triangles, in their order. One that several triangles share, from whichever end, is there once.
+    pub(super) fn sides(&self) -> Vec<Side> {
+        let (mut sides, mut known) = (Vec::<Side>::new(), HashMap::new());
+        for (number, [a, b, c]) in self.triangles.iter().enumerate() {
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                let mut ends = [a.place, b.place];
+                ends.sort_unstable_by_key(|end| end.to_bits());
+                let place = *known.entry(ends).or_insert(sides.len());
+                if place == sides.len() {
+                    sides.push(Side { ends, triangles: vec![] });
+                }
+                sides[place].triangles.push(number);
+            }
+        }
+        sides
+    }
+
     /// Gives a normal to each corner that has none: the mean of those of all triangles around it, each weighted by its area. Corners
     /// at one place have one normal.
     pub(super) fn smooth(&mut self) {
@@ -60,6 +77,13 @@ impl Mesh {
             }
         }
     }
+}
+
+/// A side of one triangle or of several.
+pub(super) struct Side {
+    pub(super) ends: [Vec3; 2],
+    /// Their numbers, from 0 on.
+    pub(super) triangles: Vec<usize>,
 }
 
 /// How places of any size are moved and scaled, so that the middle of the box around some of them is (0, 0, 0), and the furthest of

@@ -6,13 +6,14 @@ use embedded_raster::{
     buffer_bytes,
     geom::{
         space::light::{diffuse, half_way, specular, Gloss},
-        Mix, Varying,
+        Mix, Perspective, Varying,
     },
     paint::depth,
     pipeline::{Facing, Fragment, Pipeline, Vertex},
     pixel::{row_bytes, Depth16, Id16, Id32, Xrgb8888},
-    surface::{Counter, DepthBuffer},
-    Angle, Canvas, Error, Framebuffer, Index1, Index2, Index4, Index8, Mat4, PixelFormat, PointFx, Rect, Surface, Vec3,
+    surface::DepthBuffer,
+    Angle, Canvas, ClippedSpan, Error, Framebuffer, Index1, Index2, Index4, Index8, Mat4, PixelFormat, Rect, Surface,
+    Vec3,
 };
 use fixed::types::{I16F16, I48F16};
 
@@ -128,7 +129,6 @@ pub fn draw_as<C: Ink>(mesh: &Mesh, view: View, camera: &Camera, band: Option<u1
     // Numbers of 16 bits are enough for most bodies.
     let has_few = u16::try_from(mesh.triangles.len()).is_ok();
     let (has_depth, row_of_scratch) = match view {
-        View::Wire => (false, 0),
         View::Overdraw => (false, usize::from(width)),
         View::Id if has_few => (true, row_bytes::<Id16>(width)),
         View::Id => (true, row_bytes::<Id32>(width)),
@@ -149,12 +149,13 @@ pub fn draw_as<C: Ink>(mesh: &Mesh, view: View, camera: &Camera, band: Option<u1
         frame.fill_window(C::plain(BACKGROUND, &inks));
         scratch.fill(0);
         fragments += match view {
-            View::Wire => scene.wire(&mut frame),
             View::Overdraw => scene.overdraw(&mut frame, &mut scratch),
             _ => {
                 let mut depth = DepthBuffer::<Depth16>::band(&mut depth, width, height, band.clone())?;
                 depth.clear(Depth16::MAX);
-                if view != View::Id {
+                if view == View::Wire {
+                    scene.wire(&mut frame, &mut depth)
+                } else if view != View::Id {
                     scene.faces(view, &mut frame, &mut depth)
                 } else if has_few {
                     let mut ids = Framebuffer::<Id16>::band(&mut scratch, width, height, band.clone())?;
@@ -265,23 +266,24 @@ impl Scene<'_> {
         let ink = |color, at| C::ink(color, at, self.inks);
         match view {
             View::Flat => {
-                let values = |face: &_, _| light.tones(Mesh::face_normal(face));
+                let values = |face: &_, _, _| light.tones(Mesh::face_normal(face));
                 self.surface(on, depth, values, |f| ink(lit(CLAY, tone(f.values, f.facing)), f.at))
             }
-            // Values change linearly on the screen. For a texture that is right in perspective as well, `texel` has to be a value
-            // that does so in space; all else stays.
+            // Brightness changes evenly on the screen, which nobody sees. A place on the texture has to change as it does in space.
             View::Textured => {
-                let values = |face: &[Corner; 3], i: usize| (light.tones(face[i].normal), face[i].texel);
+                let values = |face: &[Corner; 3], i: usize, w| {
+                    (light.tones(face[i].normal), Perspective { w, value: face[i].texel })
+                };
                 self.surface(on, depth, values, |f| {
                     let (tones, texel) = f.values;
-                    ink(lit(material(texel), tone(tones, f.facing)), f.at)
+                    ink(lit(material(texel.value), tone(tones, f.facing)), f.at)
                 })
             }
             View::Depth => {
-                self.surface(on, depth, |_, _| (), |f| ink(grey(u8::MAX - (f.depth >> 8).to_le_bytes()[0]), f.at))
+                self.surface(on, depth, |_, _, _| (), |f| ink(grey(u8::MAX - (f.depth >> 8).to_le_bytes()[0]), f.at))
             }
             View::Normal => {
-                let values = |face: &[Corner; 3], i: usize| channels(light.normal(face[i].normal));
+                let values = |face: &[Corner; 3], i: usize, _| channels(light.normal(face[i].normal));
                 self.surface(on, depth, values, |f| {
                     let [r, g, b] = match f.facing {
                         Facing::Front => f.values,
@@ -291,31 +293,35 @@ impl Scene<'_> {
                 })
             }
             View::Barycentric => {
-                let values = |_: &_, i| [0, 1, 2].map(|corner| if corner == i { u8::MAX } else { 0 });
+                let values = |_: &_, i, _| [0, 1, 2].map(|corner| if corner == i { u8::MAX } else { 0 });
                 self.surface(on, depth, values, |f| {
                     let [r, g, b] = f.values;
                     ink(Rgb888::new(r, g, b), f.at)
                 })
             }
             _ => {
-                let values = |face: &[Corner; 3], i: usize| light.tones(face[i].normal);
+                let values = |face: &[Corner; 3], i: usize, _| light.tones(face[i].normal);
                 self.surface(on, depth, values, |f| ink(lit(CLAY, tone(f.values, f.facing)), f.at))
             }
         }
     }
 
-    /// Takes all triangles through the pipeline, to a surface with a depth buffer. Returns how many fragments there were.
+    /// Takes all triangles through the pipeline, to a surface with a depth buffer. `values` is also told the w of the corner, its
+    /// distance. Returns how many fragments there were.
     fn surface<S: Surface, V: Mix + Varying>(
         &self,
         on: &mut S,
         buffer: &mut DepthBuffer<Depth16>,
-        values: impl Fn(&[Corner; 3], usize) -> V,
+        values: impl Fn(&[Corner; 3], usize, I16F16) -> V,
         color: impl Fn(Fragment<V, u16>) -> S::Color,
     ) -> u64 {
         let mut fragments = 0;
         self.pipeline().triangles(
             self.corners(),
-            |(face, i)| Vertex::new(self.clip.transform_point(face[i].place), values(face, i)),
+            |(face, i)| {
+                let position = self.clip.transform_point(face[i].place);
+                Vertex::new(position, values(face, i, position.w))
+            },
             |triangle| {
                 triangle.fill_depth(on, buffer, depth::less, |fragment| {
                     fragments += 1;
@@ -335,7 +341,7 @@ impl Scene<'_> {
         id: impl Fn(u32) -> I,
         number: impl Fn(I) -> u32,
     ) -> u64 {
-        let fragments = self.surface(ids, depth, |_, _| (), |f| id(f.number));
+        let fragments = self.surface(ids, depth, |_, _, _| (), |f| id(f.number));
         for at in pixels(on.window()) {
             match ids.get(at).map_or(0, &number) {
                 0 => {}
@@ -345,51 +351,86 @@ impl Scene<'_> {
         fragments
     }
 
-    /// Counts how often each pixel is painted.
+    /// Counts how often each pixel is painted, on a surface of counters.
     fn overdraw<C: Ink>(&self, on: &mut Framebuffer<C>, counters: &mut [u8]) -> u64 {
-        let (window, mut fragments) = (on.window(), 0);
-        let counter = |at: Point| usize::try_from((at.y - window.y0) * window.x1 + at.x).unwrap_or(usize::MAX);
+        let window = on.window();
+        let mut counts = Counts { window, counters, all: 0 };
         self.pipeline().triangles(
             self.corners(),
             |(face, i)| Vertex::new(self.clip.transform_point(face[i].place), ()),
-            |triangle| {
-                triangle.fill(on, |fragment| {
-                    fragments += 1;
-                    let times = &mut counters[counter(fragment.at)];
-                    *times = times.saturating_add(1);
-                    None
-                });
-            },
+            |triangle| triangle.fill(&mut counts, |_| Some(Index1::MAX)),
         );
         for at in pixels(window) {
-            match counters[counter(at)] {
+            match counts.counters[counts.place(at)] {
                 0 => {}
                 times => on.draw_point(at, C::ink(heat(times), at, self.inks)),
             }
         }
-        fragments
+        counts.all
     }
 
-    /// Draws the sides of all triangles: first those of backs, then those of fronts.
-    fn wire<C: Ink>(&self, on: &mut Framebuffer<C>) -> u64 {
-        let mut counter = Counter::new(on.window());
-        for (hidden, color) in [(Facing::Front, BACK), (Facing::Back, FRONT)] {
+    /// Draws the sides of all triangles that no triangle hides: first those that only backs have, then those of fronts.
+    ///
+    /// The triangles are filled with the background, set back a little, so that their sides are in front of them.
+    fn wire<C: Ink>(&self, on: &mut Framebuffer<C>, buffer: &mut DepthBuffer<Depth16>) -> u64 {
+        let (mut fragments, mut is_front) = (0, vec![false; self.mesh.triangles.len()]);
+        let background = C::plain(BACKGROUND, self.inks);
+        let vertex = |place: Vec3| Vertex::new(self.clip.transform_point(place), ());
+        self.pipeline().triangles(
+            self.mesh.triangles.iter().map(|triangle| triangle.map(|corner| corner.place)),
+            vertex,
+            |triangle| {
+                is_front[triangle.number() as usize - 1] = triangle.facing() == Facing::Front;
+                triangle.fill_behind(on, buffer, depth::less_equal, |_| {
+                    fragments += 1;
+                    Some(background)
+                });
+            },
+        );
+        let sides = self.mesh.sides();
+        for (color, is_wanted) in [(BACK, false), (FRONT, true)] {
             let color = C::plain(color, self.inks);
-            self.pipeline().cull(hidden).triangles(
-                self.corners(),
-                |(face, i)| Vertex::new(self.clip.transform_point(face[i].place), ()),
-                |triangle| {
-                    let [a, b, c] = triangle.places().map(PointFx::pixel);
-                    for (a, b) in [(a, b), (b, c), (c, a)] {
-                        // Two triangles that share a side draw it from the same end.
-                        let (a, b) = if (a.y, a.x) < (b.y, b.x) { (a, b) } else { (b, a) };
-                        on.draw_line(a, b, color);
-                        counter.draw_line(a, b, color);
-                    }
-                },
-            );
+            let these =
+                sides.iter().filter(|side| side.triangles.iter().any(|&triangle| is_front[triangle]) == is_wanted);
+            self.pipeline().lines(these.map(|side| side.ends), vertex, |line| {
+                line.draw_depth(on, buffer, depth::less_equal, |_| {
+                    fragments += 1;
+                    Some(color)
+                });
+            });
         }
-        counter.pixels
+        fragments
+    }
+}
+
+/// Counts how often its pixels are painted: up to 255 times each.
+struct Counts<'a> {
+    window: Rect,
+    counters: &'a mut [u8],
+    /// Of all pixels together.
+    all: u64,
+}
+
+impl Counts<'_> {
+    /// The counter of a pixel.
+    fn place(&self, at: Point) -> usize {
+        usize::try_from((at.y - self.window.y0) * self.window.x1 + at.x).unwrap_or(usize::MAX)
+    }
+}
+
+impl Surface for Counts<'_> {
+    type Color = Index1;
+
+    fn window(&self) -> Rect {
+        self.window
+    }
+
+    fn fill_span(&mut self, span: ClippedSpan, _: Index1) {
+        let first = self.place(Point::new(span.x0(), span.y()));
+        for times in &mut self.counters[first..][..span.len() as usize] {
+            *times = times.saturating_add(1);
+        }
+        self.all += u64::from(span.len());
     }
 }
 

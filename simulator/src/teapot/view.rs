@@ -6,7 +6,7 @@ use embedded_raster::Palette;
 /// What is shown of a body.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum View {
-    /// The sides of its triangles: bright where its front is seen, and dark where its back is.
+    /// The sides of its triangles that no other triangle hides: bright where its front is seen, and dark where its back is.
     Wire,
     /// Each triangle in one brightness.
     Flat,
