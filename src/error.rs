@@ -3,8 +3,8 @@
 //! Each kind of call has errors of its own, those that it can return: memory that does not fit a surface
 //! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
 //! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
-//! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), SVG path
-//! data that makes no sense ([`SvgError`]).
+//! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), a picture
+//! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]).
 //! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
@@ -186,6 +186,18 @@ pub enum SvgExpected {
     Flag,
 }
 
+/// A picture has more columns or rows than a [`Pipeline`](crate::pipeline::Pipeline) draws.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PictureTooLarge {
+    /// Columns.
+    pub width: u16,
+    /// Rows.
+    pub height: u16,
+    /// The most that there may be of each.
+    pub most: u16,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -205,6 +217,8 @@ pub enum Error {
     Triangle(TriangleTooLarge),
     /// SVG path data makes no sense.
     Svg(SvgError),
+    /// A picture is too large for the pipeline.
+    Picture(PictureTooLarge),
 }
 
 impl fmt::Display for BufferError {
@@ -295,6 +309,13 @@ impl fmt::Display for SvgError {
     }
 }
 
+impl fmt::Display for PictureTooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { width, height, most } = *self;
+        write!(f, "picture too large: {width} x {height} pixels, the pipeline draws {most} each way")
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -305,6 +326,7 @@ impl fmt::Display for Error {
             Self::CrossingList(error) => error.fmt(f),
             Self::Triangle(error) => error.fmt(f),
             Self::Svg(error) => error.fmt(f),
+            Self::Picture(error) => error.fmt(f),
         }
     }
 }
@@ -316,6 +338,7 @@ impl core::error::Error for FlattenError {}
 impl core::error::Error for CrossingListFull {}
 impl core::error::Error for TriangleTooLarge {}
 impl core::error::Error for SvgError {}
+impl core::error::Error for PictureTooLarge {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -357,5 +380,11 @@ impl From<TriangleTooLarge> for Error {
 impl From<SvgError> for Error {
     fn from(error: SvgError) -> Self {
         Self::Svg(error)
+    }
+}
+
+impl From<PictureTooLarge> for Error {
+    fn from(error: PictureTooLarge) -> Self {
+        Self::Picture(error)
     }
 }

@@ -21,8 +21,8 @@ mod tune;
 
 pub use canvas::{Antialias, Canvas};
 pub use error::{
-    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, SvgError, SvgExpected, TriangleTooLarge,
-    TriangulateError,
+    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, PictureTooLarge, SvgError, SvgExpected,
+    TriangleTooLarge, TriangulateError,
 };
 pub use geom::{
     fill_rule::FillRule,

@@ -5,8 +5,8 @@ use embedded_raster::{
     geom::{At, Barycentric, Facet, Fast, Mix, Perspective, Plane, Runs},
     paint::{depth, Bayer, Outside},
     pipeline::{
-        assemble, assemble_lines, assemble_points, Facing, Line, LineTopology, Pipeline, Splat, Topology, Triangle,
-        Vertex,
+        assemble, assemble_lines, assemble_points, shade_vertices, Facing, Line, LineTopology, Pipeline, Splat,
+        Topology, Triangle, Vertex,
     },
     pixel::Depth16,
     surface::{
@@ -82,7 +82,7 @@ calls! {
     bilinear_through => Texture::new(&a.mask, (Repeat, Clamp))
         .map(|texture| texture.bilinear_through(u, v, &palette).map(|color| color.r()));
     [Pipeline]
-    new => a.pieces(Pipeline::new(a.halves(4)[0], a.halves(4)[1]));
+    new => Pipeline::new(a.halves(4)[0], a.halves(4)[1]).map(|pipeline| a.pieces(pipeline));
     cull => a.pieces(pipeline(a.window).cull(Facing::Back));
     front_is_clockwise => a.pieces(pipeline(a.window).cull(Facing::Front).front_is_clockwise());
     triangles => a.pieces(pipeline(a.window));
@@ -93,6 +93,10 @@ calls! {
     points => pipeline(a.window).points(a.vertices(), |vertex| vertex, |_| ());
     [Vertex]
     new => Vertex::new(Vec4::from_bits([n, m, n, m]), ()).position.dot(Vec4::from_bits([m, n, m, n]));
+    [vertex]
+    shade_vertices => shade_vertices(&a.places, &mut [Vertex::default(); 4], |place, number| {
+        Vertex::new(Vec4::from_bits([place.x.to_bits(), place.y.to_bits(), 0, 1 << 16]), number)
+    }).map(|shaded| sum(shaded.iter().map(|vertex| vertex.values)));
     [assembly]
     assemble => assemble(Topology::Fan, a.places.as_slice(), a.starts).map(|fan| sum(fan.map(|corners| corners.map(|&place| place))));
     assemble_lines => assemble_lines(LineTopology::Loop, a.places.as_slice(), a.starts)
@@ -214,7 +218,11 @@ pub(crate) fn with_depths<R: Default>(window: Rect, act: impl FnOnce(&mut DepthB
 
 /// For a screen that ends where a window does.
 pub(crate) fn pipeline(window: Rect) -> Pipeline {
-    // Windows without pixels have no place.
-    let side = |n: i32| u16::try_from(n).ok().filter(|_| !window.is_empty()).unwrap_or(64);
-    Pipeline::new(side(window.x1), side(window.y1))
+    const SMALL: Pipeline = match Pipeline::new(64, 64) {
+        Ok(pipeline) => pipeline,
+        Err(_) => panic!("it is small"),
+    };
+    // Windows without pixels have no place, and some are too large.
+    let side = |n: i32| u16::try_from(n).ok().filter(|&n| !window.is_empty() && n <= 4_096).unwrap_or(64);
+    Pipeline::new(side(window.x1), side(window.y1)).unwrap_or(SMALL)
 }

@@ -15,6 +15,7 @@ use embedded_raster::{
     buffer_bytes,
     geom::{Mix, Varying},
     paint::Bayer,
+    pipeline::Pipeline,
     pixel::{row_bytes, Depth16, Xrgb8888},
     surface::DepthBuffer,
     Angle, Framebuffer, PixelFormat,
@@ -106,7 +107,7 @@ where
     let rows = options.band.unwrap_or(height).clamp(1, height);
     let (mut ram, mut depth_ram) =
         (vec![0; buffer_bytes::<C>(width, rows)], vec![0; 2 * usize::from(width) * usize::from(rows)]);
-    let scene = Scene::new(width, height, turn, &value);
+    let scene = Scene::new(Pipeline::new(width, height)?, [width, height], turn, &value);
     let background = color(Point::new(3, 0), value(BACKGROUND));
     let fragments = Cell::new(0);
     // What a display would have received: each band is sent before the next one is drawn in the same memory.

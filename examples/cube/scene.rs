@@ -75,9 +75,9 @@ pub struct Scene<V> {
 }
 
 impl<V: Varying + Mix> Scene<V> {
-    /// On a screen of `width` x `height` pixels, a part of a turn after it began. `value` makes what changes from pixel to pixel of
+    /// Through the pipeline of a screen, which has that many columns and rows, a part of a turn after it began. `value` makes what changes from pixel to pixel of
     /// the colour of a vertex.
-    pub fn new(width: u16, height: u16, turn: Angle, value: impl Fn(Rgb888) -> V) -> Self {
+    pub fn new(pipeline: Pipeline, [width, height]: [u16; 2], turn: Angle, value: impl Fn(Rgb888) -> V) -> Self {
         let [wide, high] = [width, height].map(|n| I16F16::from_bits(i32::from(n)));
         let [near, far] = [3, 9].map(|n| I16F16::from_bits(n << 16));
         let camera = Mat4::perspective(Angle::degrees(40), divide(wide, high), near, far)
@@ -86,8 +86,7 @@ impl<V: Varying + Mix> Scene<V> {
         let spindle = Mat4::rotate_z(turn + turn) * Mat4::rotate_x(turn);
         // In its place: an array that is mapped would be on the stack of a chip several times.
         let nowhere = Vertex::new(Vec4::ZERO, value(BACKGROUND));
-        let mut scene =
-            Self { pipeline: Pipeline::new(width, height).cull(Facing::Back), vertices: [nowhere; CORNERS + TIPS] };
+        let mut scene = Self { pipeline: pipeline.cull(Facing::Back), vertices: [nowhere; CORNERS + TIPS] };
         for (number, vertex) in scene.vertices.iter_mut().enumerate() {
             let (place, normal, paint) = model(number);
             let body = if number < CORNERS { &cube } else { &spindle };

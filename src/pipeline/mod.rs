@@ -30,7 +30,7 @@
 //! let mut ram = [0; buffer_bytes::<Rgb565>(64, 64)];
 //! let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 64)?;
 //! let corners = [(-1, 0), (0, -1), (-1, -1)].map(|(x, y)| Vec3::whole(x, y, 0));
-//! Pipeline::new(64, 64).triangles(
+//! Pipeline::new(64, 64)?.triangles(
 //!     [corners],
 //!     |place| Vertex::new(place.with_w(I16F16::ONE), ()),
 //!     |triangle| triangle.fill(&mut frame, |_| Some(Rgb565::BLUE)),
@@ -90,7 +90,7 @@
 //! let mut frame = Framebuffer::<Gray8>::new(&mut ram, 8, 5)?;
 //! let mut depths = DepthBuffer::<Depth16>::new(&mut depth_ram, 8, 5)?;
 //! depths.clear(Depth16::MAX);
-//! let (pipeline, vertex) = (Pipeline::new(8, 5), |at| Vertex::new(at, ()));
+//! let (pipeline, vertex) = (Pipeline::new(8, 5)?, |at| Vertex::new(at, ()));
 //! // A triangle, and a line that passes behind it.
 //! let triangle = [(1, 4), (1, -4), (-2, 0)].map(|(x, y)| Vec4::whole(x, y, 1, 4));
 //! pipeline.triangles([triangle], vertex, |it| it.fill_behind(&mut frame, &mut depths, depth::less, |_| Some(Gray8::new(b'#'))));
@@ -121,13 +121,13 @@ pub use self::{
     draw::{Fragment, Triangle},
     line::Line,
     splat::{Dot, Splat},
-    vertex::{Facing, Vertex},
+    vertex::{shade_vertices, Facing, TooManyVertices, Vertex},
 };
 use self::{
     clip::Clipped,
     viewport::{Corner, Screen},
 };
-use crate::geom::Mix;
+use crate::{error::PictureTooLarge, geom::Mix};
 
 /// The fixed stages between vertices and fragments. See the [module](self) for what they are.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -138,11 +138,18 @@ pub struct Pipeline {
 }
 
 impl Pipeline {
-    /// For a picture of `width` x `height` pixels, 4,096 of them each way at most: what is more is taken for that.
+    /// For a picture of `width` x `height` pixels.
     ///
     /// All triangles are drawn, whichever side is seen.
-    pub const fn new(width: u16, height: u16) -> Self {
-        Self { screen: Screen::new(width, height), culled: None, front_is_clockwise: false }
+    ///
+    /// # Errors
+    /// If it has more than 4,096 columns or rows.
+    pub const fn new(width: u16, height: u16) -> Result<Self, PictureTooLarge> {
+        const MOST: u16 = Screen::MOST;
+        if width > MOST || height > MOST {
+            return Err(PictureTooLarge { width, height, most: MOST });
+        }
+        Ok(Self { screen: Screen { width, height }, culled: None, front_is_clockwise: false })
     }
 
     /// Leaves out the triangles of which this side is seen.
@@ -196,9 +203,10 @@ impl Pipeline {
     /// let (mut whole, mut pieces) = (0, 0);
     /// // The last corner lies in front of the near plane.
     /// let triangle = [Vec4::whole(-1, -1, 1, 2), Vec4::whole(1, -1, 1, 2), Vec4::whole(0, 1, -1, 2)];
-    /// Pipeline::new(4, 4).whole_triangles([triangle], |at| Vertex::new(at, ()), |_| whole += 1);
-    /// Pipeline::new(4, 4).triangles([triangle], |at| Vertex::new(at, ()), |_| pieces += 1);
+    /// Pipeline::new(4, 4)?.whole_triangles([triangle], |at| Vertex::new(at, ()), |_| whole += 1);
+    /// Pipeline::new(4, 4)?.triangles([triangle], |at| Vertex::new(at, ()), |_| pieces += 1);
     /// assert_eq!((whole, pieces), (0, 2));
+    /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     pub fn whole_triangles<A, V: Copy>(
         &self,
@@ -220,6 +228,9 @@ impl Pipeline {
 
     /// [`triangles`](Self::triangles) of vertices that indices choose.
     ///
+    /// The vertex stage runs three times for each triangle. Where triangles share vertices, [`shade_vertices`] runs it once for each of
+    /// those, and this takes what came of it: then its own stage is `|vertex| *vertex`.
+    ///
     /// # Errors
     /// If an index has no vertex. Then nothing is drawn.
     /// ```
@@ -229,7 +240,7 @@ impl Pipeline {
     /// let mut ram = [0; 16];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 4)?;
     /// let square = [(-1, -1), (1, -1), (-1, 1), (1, 1)].map(|(x, y)| Vec3::whole(x, y, 0));
-    /// Pipeline::new(4, 4).indexed(
+    /// Pipeline::new(4, 4)?.indexed(
     ///     Topology::Strip,
     ///     &square,
     ///     &[0_u8, 1, 2, 3],
@@ -289,7 +300,7 @@ impl Pipeline {
     /// let mut ram = [b'.'; 24];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 8, 3)?;
     /// // The nearer, the larger: 4 pixels where w is 1.
-    /// Pipeline::new(8, 3).points(
+    /// Pipeline::new(8, 3)?.points(
     ///     [Vec4::whole(-2, 0, 1, 4), Vec4::whole(1, 0, 1, 2)],
     ///     |at| Vertex::new(at, ()),
     ///     |point| {

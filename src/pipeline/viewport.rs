@@ -18,21 +18,10 @@ pub(super) struct Screen {
 
 impl Screen {
     /// The largest picture each way.
-    const MOST: u16 = 4096;
+    pub(super) const MOST: u16 = 4096;
     /// How far from the middle of the picture a corner may lie, in half pixels: what a [`Facet`](crate::geom::Facet) may have, half
     /// of it each way, in both directions, less what rounding and the pixels around a line may add.
     pub(super) const GUARD: i64 = 6_140;
-
-    pub(super) const fn new(width: u16, height: u16) -> Self {
-        const fn least(n: u16) -> u16 {
-            if n < Screen::MOST {
-                n
-            } else {
-                Screen::MOST
-            }
-        }
-        Self { width: least(width), height: least(height) }
-    }
 
     /// A vertex in the guard band, projected.
     #[inline(always)]

@@ -63,7 +63,7 @@ fn corners_are_rounded_once() {
         let triangle = [vertex(), vertex(), vertex()];
         let left = clipping::corners(triangle.map(|vertex| vertex.position.to_bits()), size);
         let wanted: Vec<_> = left.iter().map(|&weights| (between(weights, triangle), weights)).collect();
-        Pipeline::new(size.0, size.1).triangles(
+        Pipeline::new(size.0, size.1).unwrap().triangles(
             [triangle],
             |vertex| vertex,
             |piece| {
@@ -92,7 +92,7 @@ fn ends_of_lines_are_rounded_once() {
         let left = clipping::line(ends.map(|vertex| vertex.position.to_bits()), size);
         let wanted = left.map(|left| left.map(|weights| between(weights, ends)));
         let mut got = None;
-        Pipeline::new(size.0, size.1).lines(
+        Pipeline::new(size.0, size.1).unwrap().lines(
             [ends],
             |vertex| vertex,
             |line| got = Some(line.ends().each_ref().map(numbers)),
@@ -112,7 +112,7 @@ fn nothing_leaves_the_range_of_the_corners() {
     for _ in 0..cases(20_000) {
         let same = values(&mut rng);
         let triangle = [(); 3].map(|()| (deep(&mut rng), rng.int(-1_000_000, 1_000_000)));
-        Pipeline::new(48, 36).triangles(
+        Pipeline::new(48, 36).unwrap().triangles(
             [triangle],
             |(at, number)| Vertex::new(at, (same, number)),
             |piece| {

@@ -196,7 +196,7 @@ fn a_screen_in_two_triangles_is_filled() {
         let [a, b, c, d] =
             [(-far, -far), (far, -far), (far, far), (-far, far)].map(|(x, y)| Vec4::whole(x * w, y * w, w / 2, w));
         let mut count = 0;
-        Pipeline::new(width, height).triangles([[a, b, c], [a, c, d]], plain, |triangle| {
+        Pipeline::new(width, height).unwrap().triangles([[a, b, c], [a, c, d]], plain, |triangle| {
             triangle.fill(&mut frame, |_| {
                 count += 1;
                 Some(Gray8::new(1))

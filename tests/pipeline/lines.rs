@@ -246,7 +246,7 @@ fn between_centres_of_pixels_it_is_the_line_of_the_canvas() {
         // In a picture of 64 x 64 pixels, NDC of pixel centres are whole multiples of 1 / 64.
         let vertices = ends.map(|at| Vec4::from_bits([(2 * at.x - 63) << 10, (63 - 2 * at.y) << 10, 0, 1 << 16]));
         let (mut got, mut wanted) = (Hits::new(Rect::new(0, 0, 64, 64)), Hits::new(Rect::new(0, 0, 64, 64)));
-        Pipeline::new(64, 64).lines(
+        Pipeline::new(64, 64).unwrap().lines(
             [vertices],
             |at| Vertex::new(at, ()),
             |line| {
@@ -297,7 +297,7 @@ fn hidden_lines_are_hidden() {
         let mut frame = Framebuffer::<Gray8>::new(&mut ram, SIZE.0, SIZE.1).unwrap();
         let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, SIZE.0, SIZE.1).unwrap();
         buffer.clear(Depth16::MAX);
-        let pipeline = Pipeline::new(SIZE.0, SIZE.1);
+        let pipeline = Pipeline::new(SIZE.0, SIZE.1).unwrap();
         let vertex = |i: usize| Vertex::new(places[i], ());
         let mut fronts = vec![false; triangles.len()];
         pipeline.triangles(triangles.iter().copied(), vertex, |triangle| {
@@ -355,7 +355,7 @@ fn any_bits_are_fine() {
         let mut place = || Vec4::from_bits([bits(), bits(), bits(), bits()]);
         let ends = [place(), place()];
         let size = |n: u64| (n % 4_097) as u16;
-        let pipeline = Pipeline::new(size(rng.bits()), size(rng.bits()));
+        let pipeline = Pipeline::new(size(rng.bits()), size(rng.bits())).unwrap();
         let mut frame = Framebuffer::<Gray8>::new(&mut ram, 20, 10).unwrap();
         let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, 20, 10).unwrap();
         let dot = I24F8::from_bits(rng.bits() as i32);

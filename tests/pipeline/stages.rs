@@ -5,10 +5,10 @@ use embedded_graphics_core::{
 use embedded_raster::{
     geom::space::Mat4,
     paint::depth,
-    pipeline::{Facing, IndexOutOfRange, Pipeline, Topology, Triangle, Vertex},
+    pipeline::{shade_vertices, Facing, IndexOutOfRange, Pipeline, TooManyVertices, Topology, Triangle, Vertex},
     pixel::{Depth16, Depth32, Id16},
     surface::DepthBuffer,
-    Angle, Framebuffer, Rect, Surface, Vec3, Vec4,
+    Angle, Error, Framebuffer, PictureTooLarge, Rect, Surface, Vec3, Vec4,
 };
 use fixed::types::I16F16;
 use twins::rng::{cases, Rng};
@@ -42,7 +42,7 @@ impl Hits {
 }
 
 pub(crate) fn pipeline() -> Pipeline {
-    Pipeline::new(WIDTH as u16, HEIGHT as u16)
+    Pipeline::new(WIDTH as u16, HEIGHT as u16).unwrap()
 }
 
 pub(crate) fn plain(place: Vec4) -> Vertex<()> {
@@ -55,7 +55,8 @@ fn a_blue_triangle() {
     let mut ram = [0; 64 * 64 * 2];
     let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 64).unwrap();
     let corners = [(-1, 0), (0, -1), (-1, -1)].map(|(x, y)| Vec4::whole(x, y, 0, 1));
-    let count = Pipeline::new(64, 64).triangles([corners], plain, |t| t.fill(&mut frame, |_| Some(Rgb565::BLUE)));
+    let count =
+        Pipeline::new(64, 64).unwrap().triangles([corners], plain, |t| t.fill(&mut frame, |_| Some(Rgb565::BLUE)));
     assert_eq!(count, 1);
     let pixels = (0..64).flat_map(|y| (0..64).map(move |x| Point::new(x, y)));
     let blue = |at: Point| at.y >= 32 && at.x < at.y - 32;
@@ -68,9 +69,9 @@ fn a_blue_triangle() {
     assert_eq!(sum, 496);
     // Its corners turn clockwise, as seen.
     for (side, count) in [(Facing::Front, 1), (Facing::Back, 0)] {
-        assert_eq!(Pipeline::new(64, 64).cull(side).triangles([corners], plain, |_| ()), count);
+        assert_eq!(Pipeline::new(64, 64).unwrap().cull(side).triangles([corners], plain, |_| ()), count);
         assert_eq!(
-            Pipeline::new(64, 64).front_is_clockwise().cull(side).triangles([corners], plain, |_| ()),
+            Pipeline::new(64, 64).unwrap().front_is_clockwise().cull(side).triangles([corners], plain, |_| ()),
             1 - count
         );
     }
@@ -343,6 +344,50 @@ fn indices_of_each_topology() {
     assert!(pipeline().indexed(Topology::List, &vertices, &[u32::MAX], |&place| plain(place), |_| ()).is_err());
 }
 
+/// Indexed triangles of vertices that were shaded once are those of vertices that are shaded for each corner.
+#[test]
+fn vertices_are_shaded_once() {
+    let mut rng = Rng::new(6);
+    for _ in 0..cases(300) {
+        let vertices: Vec<Vec4> = (0..rng.int(1, 12)).map(|_| corner(&mut rng)).collect();
+        let indices: Vec<u8> = (0..rng.int(0, 30)).map(|_| rng.index(vertices.len()) as u8).collect();
+        let topology = rng.pick(&[Topology::List, Topology::Strip, Topology::Fan]);
+        let stage = |&at: &Vec4| Vertex::new(at, at.x.to_bits());
+        let seen =
+            |triangle: &Triangle<i32>| (triangle.places(), *triangle.corners(), triangle.facing(), triangle.number());
+        let (mut wanted, mut got, mut numbers) = (vec![], vec![], vec![]);
+        pipeline().indexed(topology, &vertices, &indices, stage, |triangle| wanted.push(seen(triangle))).unwrap();
+        // There may be more places than vertices.
+        let mut places = vec![Vertex::default(); vertices.len() + rng.index(3)];
+        let shaded = shade_vertices(&vertices, &mut places, |at, number| {
+            numbers.push(number);
+            stage(at)
+        })
+        .unwrap();
+        pipeline().indexed(topology, shaded, &indices, |vertex| *vertex, |triangle| got.push(seen(triangle))).unwrap();
+        assert!(numbers.iter().copied().eq(0..vertices.len()), "{numbers:?}");
+        assert_eq!(got, wanted);
+    }
+    let mut runs = 0;
+    let error = shade_vertices(&[(); 3], &mut [Vertex::new(Vec4::ZERO, ()); 2], |(), _| {
+        runs += 1;
+        Vertex::default()
+    })
+    .unwrap_err();
+    assert_eq!((error, runs), (TooManyVertices { capacity: 2, needed: 3 }, 0));
+    assert_eq!(error.to_string(), "too many vertices: 3 are shaded, there are places for 2");
+}
+
+#[test]
+fn pictures_that_are_too_large() {
+    assert!(Pipeline::new(4_096, 4_096).is_ok() && Pipeline::new(0, 0).is_ok());
+    for (width, height) in [(4_097, 1), (1, 4_097), (u16::MAX, u16::MAX)] {
+        assert_eq!(Pipeline::new(width, height), Err(PictureTooLarge { width, height, most: 4_096 }));
+    }
+    let error = Error::from(Pipeline::new(5_000, 7).unwrap_err());
+    assert_eq!(error.to_string(), "picture too large: 5000 x 7 pixels, the pipeline draws 4096 each way");
+}
+
 /// Any bits anywhere: no panic, and no pixel outside.
 #[test]
 fn any_bits_are_fine() {
@@ -357,8 +402,8 @@ fn any_bits_are_fine() {
         let rows = [place(), place(), place(), place()];
         let mesh = [[place(), place(), place()]];
         let matrix = Mat4 { rows };
-        let size = |n: u64| (n % 70_000) as u16;
-        let pipeline = Pipeline::new(size(rng.bits()), size(rng.bits()));
+        let size = |n: u64| (n % 4_097) as u16;
+        let pipeline = Pipeline::new(size(rng.bits()), size(rng.bits())).unwrap();
         let mut frame = Framebuffer::<Gray8>::new(&mut ram, 20, 10).unwrap();
         let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, 20, 10).unwrap();
         pipeline.triangles(

@@ -12,6 +12,7 @@ pub mod page;
 pub mod shapes;
 
 use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::pipeline::Pipeline;
 use embedded_raster::raster::flood::FloodSlot;
 use embedded_raster::surface::DepthBuffer;
 use embedded_raster::{Angle, EdgeSlot, Error, Framebuffer, Index1, Index4, PixelFormat};
@@ -82,8 +83,8 @@ pub fn draw_cube(
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), Error> {
     let (width, height) = (cube::WIDTH, cube::HEIGHT);
-    let scene =
-        cube::Scene::new(width, height, Angle::degrees(30) + Angle::turns(moment.into(), MOMENTS), Rgb565::from);
+    let turn = Angle::degrees(30) + Angle::turns(moment.into(), MOMENTS);
+    let scene = cube::Scene::new(Pipeline::new(width, height)?, [width, height], turn, Rgb565::from);
     for start in (0..height).step_by(rows.into()) {
         let band = start..height.min(start + rows);
         let mut frame = Framebuffer::<Rgb565>::band(&mut *colors, width, height, band.clone())?;

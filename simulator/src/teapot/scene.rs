@@ -103,7 +103,7 @@ pub struct Drawing {
 /// * `band`: how many rows there is memory for; all of them unless told.
 ///
 /// # Errors
-/// If a picture has no pixels.
+/// If a picture has more than 4,096 columns or rows.
 pub fn draw(bits: u32, mesh: &Mesh, view: View, camera: &Camera, band: Option<u16>) -> Result<Drawing, Error> {
     match bits {
         1 => draw_as::<Index1>(mesh, view, camera, band),
@@ -124,7 +124,8 @@ pub fn draw_as<C: Ink>(mesh: &Mesh, view: View, camera: &Camera, band: Option<u1
     let Camera { width, height, .. } = *camera;
     let rows = band.unwrap_or(height).clamp(1, height.max(1));
     let inks = Inks::new(view.palette());
-    let scene = Scene { mesh, camera, inks: &inks, clip: camera.clip(mesh), light: Light::new(camera) };
+    let pipeline = Pipeline::new(width, height)?;
+    let scene = Scene { mesh, pipeline, inks: &inks, clip: camera.clip(mesh), light: Light::new(camera) };
     let bytes = |row: usize| row * usize::from(rows);
     // Numbers of 16 bits are enough for most bodies.
     let has_few = u16::try_from(mesh.triangles.len()).is_ok();
@@ -241,17 +242,13 @@ fn channels(normal: Vec3) -> [u8; 3] {
 
 struct Scene<'a> {
     mesh: &'a Mesh,
-    camera: &'a Camera,
+    pipeline: Pipeline,
     inks: &'a Inks,
     clip: Mat4,
     light: Light,
 }
 
 impl Scene<'_> {
-    fn pipeline(&self) -> Pipeline {
-        Pipeline::new(self.camera.width, self.camera.height)
-    }
-
     /// What the vertex stage is given: each corner with its triangle.
     fn corners(&self) -> impl Iterator<Item = [(&[Corner; 3], usize); 3]> {
         self.mesh.triangles.iter().map(|triangle| [0, 1, 2].map(|corner| (triangle, corner)))
@@ -316,7 +313,7 @@ impl Scene<'_> {
         color: impl Fn(Fragment<V, u16>) -> S::Color,
     ) -> u64 {
         let mut fragments = 0;
-        self.pipeline().triangles(
+        self.pipeline.triangles(
             self.corners(),
             |(face, i)| {
                 let position = self.clip.transform_point(face[i].place);
@@ -355,7 +352,7 @@ impl Scene<'_> {
     fn overdraw<C: Ink>(&self, on: &mut Framebuffer<C>, counters: &mut [u8]) -> u64 {
         let window = on.window();
         let mut counts = Counts { window, counters, all: 0 };
-        self.pipeline().triangles(
+        self.pipeline.triangles(
             self.corners(),
             |(face, i)| Vertex::new(self.clip.transform_point(face[i].place), ()),
             |triangle| triangle.fill(&mut counts, |_| Some(Index1::MAX)),
@@ -376,7 +373,7 @@ impl Scene<'_> {
         let (mut fragments, mut is_front) = (0, vec![false; self.mesh.triangles.len()]);
         let background = C::plain(BACKGROUND, self.inks);
         let vertex = |place: Vec3| Vertex::new(self.clip.transform_point(place), ());
-        self.pipeline().triangles(
+        self.pipeline.triangles(
             self.mesh.triangles.iter().map(|triangle| triangle.map(|corner| corner.place)),
             vertex,
             |triangle| {
@@ -392,7 +389,7 @@ impl Scene<'_> {
             let color = C::plain(color, self.inks);
             let these =
                 sides.iter().filter(|side| side.triangles.iter().any(|&triangle| is_front[triangle]) == is_wanted);
-            self.pipeline().lines(these.map(|side| side.ends), vertex, |line| {
+            self.pipeline.lines(these.map(|side| side.ends), vertex, |line| {
                 line.draw_depth(on, buffer, depth::less_equal, |_| {
                     fragments += 1;
                     Some(color)

@@ -10,7 +10,8 @@ board::entry!(main);
 fn main() {
     size::on_frame::<Rgb565>(|frame| {
         let color = size::color::<Rgb565>();
-        Pipeline::new(size::WIDTH, size::HEIGHT).triangles(
+        let Ok(pipeline) = Pipeline::new(size::WIDTH, size::HEIGHT) else { return };
+        pipeline.triangles(
             [size::places()],
             |place| Vertex::new(place, ()),
             |triangle| triangle.fill(frame, |_| Some(color)),

@@ -14,7 +14,8 @@ board::entry!(main);
 fn main() {
     size::on_depth::<Rgb565>(|frame, depths| {
         let ([a, b, c], [p, q, r]) = (size::places(), size::colors());
-        Pipeline::new(size::WIDTH, size::HEIGHT).triangles(
+        let Ok(pipeline) = Pipeline::new(size::WIDTH, size::HEIGHT) else { return };
+        pipeline.triangles(
             [[(a, p), (b, q), (c, r)]],
             |(place, color)| Vertex::new(place, color),
             |triangle| triangle.fill_depth(frame, depths, depth::less, |fragment| Some(fragment.values)),
