@@ -39,6 +39,7 @@ pub mod scenes;
 pub mod sequences;
 mod shapes;
 pub mod strokes;
+pub mod targets;
 pub mod textures;
 pub mod tools;
 pub mod watched;

@@ -1,0 +1,30 @@
+//! The fuzz targets that share their checks with tests, on random bytes: `cargo +nightly fuzz run pipeline` does the same with bytes
+//! that learn.
+
+use twins::{
+    rng::{cases, Rng},
+    targets,
+};
+
+fn run(seed: u64, most: i64, target: fn(&[u8])) {
+    let mut rng = Rng::new(seed);
+    for _ in 0..cases(8_000) {
+        let bytes: Vec<u8> = (0..rng.range(0, most)).flat_map(|_| rng.bits().to_le_bytes()).collect();
+        target(&bytes);
+    }
+}
+
+#[test]
+fn shading() {
+    run(1, 20, targets::shading);
+}
+
+#[test]
+fn the_pipeline() {
+    run(2, 20, targets::pipeline);
+}
+
+#[test]
+fn textures() {
+    run(3, 90, targets::texture);
+}
