@@ -114,14 +114,14 @@ pub(super) fn cut<V: Mix>(
     let triangle = Triangle { screen, corners: corners.each_ref().map(|corner| corner.position) };
     let lines = triangle.left(planes);
     let Some(&last) = lines.last() else { return };
-    let (mut polygon, mut line): (Vec<Corner<V>, { LINES as usize }>, u8) = (Vec::new(), last);
+    let (mut polygon, mut places): (Vec<Corner<V>, { LINES as usize }>, Places) = (Vec::new(), Vec::new());
+    let mut line = last;
     for &next in &lines {
         let Some(corner) = corner(&triangle, corners, line, next) else { return };
         // There is room for all.
-        _ = polygon.push(corner);
+        _ = (places.push(corner.projected.place), polygon.push(corner));
         line = next;
     }
-    let places: Places = polygon.iter().map(|corner| corner.projected.place).collect();
     let Some((before, from)) = polygon.split_at_checked(apex(&places)) else { return };
     let Some((&first, after)) = from.split_first() else { return };
     let mut second = None;
@@ -235,16 +235,14 @@ impl Triangle {
     /// What is left of it inside of some planes.
     #[inline(never)]
     fn left(&self, planes: u32) -> Lines {
-        // Two lists, by turns what is cut and what comes of it: only the references change places.
-        let (mut first, mut second): (Lines, Lines) = (Vec::from_array([2, 0, 1]), Vec::new());
-        let (mut from, mut to) = (&mut first, &mut second);
+        let (mut from, mut to): (Lines, Lines) = (Vec::from_array([2, 0, 1]), Vec::new());
         for (plane, line) in (0..PLANES).zip(FIRST_PLANE..LINES) {
             if planes >> (plane & 31) & 1 != 0 {
-                self.cut(from, line, to);
+                self.cut(&from, line, &mut to);
                 swap(&mut from, &mut to);
             }
         }
-        from.clone()
+        from
     }
 
     /// The lines that are left inside of a plane, which comes in between where it cuts.

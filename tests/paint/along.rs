@@ -42,12 +42,11 @@ fn place((x, y): Units) -> PointFx {
     PointFx::from_bits(x, y)
 }
 
+/// A pixel, and its value.
+type Pixel<V> = ((i32, i32), V);
+
 /// Each pixel of a line in a window, with its value, from the top down.
-fn shaded<V: Varying>(
-    ends: [Units; 2],
-    values: [V; 2],
-    window: Rect,
-) -> Result<Vec<((i32, i32), V)>, TriangleTooLarge> {
+fn shaded<V: Varying>(ends: [Units; 2], values: [V; 2], window: Rect) -> Result<Vec<Pixel<V>>, TriangleTooLarge> {
     let mut seen = vec![];
     Window(window).shade_line_fx(ends.map(place), values.map(|value| (At::default(), value)), |(At(at), value)| {
         seen.push(((at.x, at.y), value));
@@ -146,7 +145,7 @@ fn values_stay_between_those_of_the_ends() {
 #[test]
 fn what_is_too_long_is_an_error() {
     let line = |x: i32, y: i32| shaded([(0, 0), (x * 256, y * 256)], [0_u8, 9], Rect::new(0, 0, 5, 5)).map(|_| ());
-    let most = Facet::MOST as i32;
+    let most = Facet::MOST.cast_signed();
     assert_eq!(line(most - 1, 0), Ok(()));
     assert_eq!(line(0, 1 - most), Ok(()));
     assert_eq!(line(most / 2 - 1, most / 2 - 1), Ok(()));

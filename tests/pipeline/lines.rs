@@ -292,12 +292,11 @@ fn hidden_lines_are_hidden() {
             * Mat4::look_at(eye, Vec3::ZERO, Vec3::Y)
             * turn;
         let places: Vec<Vec4> = corners.iter().map(|&corner| camera.transform_point(corner)).collect();
-        const SIZE: (u16, u16) = (160, 120);
         let (mut ram, mut depth_ram) = (vec![0; 160 * 120], vec![0; 160 * 120 * 2]);
-        let mut frame = Framebuffer::<Gray8>::new(&mut ram, SIZE.0, SIZE.1).unwrap();
-        let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, SIZE.0, SIZE.1).unwrap();
+        let mut frame = Framebuffer::<Gray8>::new(&mut ram, 160, 120).unwrap();
+        let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, 160, 120).unwrap();
         buffer.clear(Depth16::MAX);
-        let pipeline = Pipeline::new(SIZE.0, SIZE.1).unwrap();
+        let pipeline = Pipeline::new(160, 120).unwrap();
         let vertex = |i: usize| Vertex::new(places[i], ());
         let mut fronts = vec![false; triangles.len()];
         pipeline.triangles(triangles.iter().copied(), vertex, |triangle| {

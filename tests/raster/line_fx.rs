@@ -32,7 +32,7 @@ fn stepped(steps: Option<Steps>) -> Vec<(i32, i32)> {
             y += i32::from(minor || steps.is_steep());
         }
     }
-    assert_eq!(pixels.last(), Some(&steps.last()));
+    assert_eq!(pixels.last(), Some(&steps.last()), "{steps:?}");
     pixels
 }
 

@@ -25,7 +25,7 @@ pub fn line_fx(a: Units, b: Units, window: Rect) -> Vec<(i32, i32)> {
     let pixel = |x: i32| {
         let y = row(wide(a), wide(b), centre(x, 256));
         let is_seen = i128::from(window.y0) <= y && y < i128::from(window.y1);
-        is_seen.then(|| (x, y as i32))
+        is_seen.then_some((x, y as i32))
     };
     let columns = first.min(last).max(window.x0)..first.max(last).saturating_add(1).min(window.x1);
     let mut pixels: Vec<_> = columns.filter_map(pixel).collect();

@@ -28,7 +28,7 @@ fn places<const N: usize>(units: [Units; N]) -> [PointFx; N] {
 pub fn shading(data: &[u8]) {
     let mut input = Input(data);
     let window = input.window();
-    let mut place = || if input.byte() & 7 == 0 { (input.int(), input.int()) } else { input.place_near(window) };
+    let mut place = || if input.one_in(8) { (input.int(), input.int()) } else { input.place_near(window) };
     let units = [place(), place(), place()];
     let mut values = || [input.int(), input.int(), input.int()];
     let [a, b, c] = [values(), values(), values()];
@@ -54,7 +54,7 @@ fn triangle<V: Varying>(units: [Units; 3], window: Rect, n: [i32; 3], value: fn(
         },
     );
     if result.is_err() {
-        return assert!(Facet::new(places(units)).is_err() && got.is_empty());
+        return assert!(Facet::new(places(units)).is_err() && got.is_empty(), "{units:?} is too large and shaded");
     }
     let mut pixels = (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y)));
     let wanted: Vec<_> = pixels
@@ -95,7 +95,7 @@ fn line<V: Varying>(
             BinaryColor::On
         });
     if result.is_err() {
-        return assert!(got.is_empty());
+        return assert!(got.is_empty(), "{a:?} to {b:?} is too long and shaded");
     }
     let nearest = |pixel| lines::nearest_along(a, b, values.map(number), pixel);
     let mut wanted: Vec<_> = lines::line_fx(a, b, window).into_iter().map(|(x, y)| (y, x, nearest((x, y)))).collect();
@@ -144,8 +144,8 @@ pub fn pipeline(data: &[u8]) {
     let size = if input.byte() & 1 == 0 { (48, 36) } else { (side(&mut input), side(&mut input)) };
     let pipeline = Pipeline::new(size.0, size.1).unwrap();
     let mut corner = || {
-        let w = if input.byte() & 3 == 0 { input.int() } else { input.int() & 0x3_ffff };
-        let mut part = || if input.byte() & 3 == 0 { input.int() } else { input.int() & 0x7_ffff };
+        let w = if input.one_in(4) { input.int() } else { input.int() & 0x3_ffff };
+        let mut part = || if input.one_in(4) { input.int() } else { input.int() & 0x7_ffff };
         Vertex::new(Vec4::from_bits([part(), part(), part(), w]), input.int())
     };
     let triangle = [corner(), corner(), corner()];
@@ -238,5 +238,5 @@ fn sample<U: AddressMode, V: AddressMode>(
     assert_eq!(texture.bilinear(fixed.0, fixed.1), wanted, "{u}, {v} of {width} x {height} {outside:?}");
     let key = texel(0, 0);
     let nearest = Some(texel(u >> 16, v >> 16)).filter(|&color| color != key);
-    assert_eq!(texture.nearest_keyed(fixed.0, fixed.1, key), nearest);
+    assert_eq!(texture.nearest_keyed(fixed.0, fixed.1, key), nearest, "{u}, {v} of {width} x {height}, key {key:?}");
 }

@@ -149,23 +149,22 @@ pub fn draw_as<C: Ink>(mesh: &Mesh, view: View, camera: &Camera, band: Option<u1
         let mut frame = Framebuffer::<C>::band(&mut color, width, height, band.clone())?;
         frame.fill_window(C::plain(BACKGROUND, &inks));
         scratch.fill(0);
-        fragments += match view {
-            View::Overdraw => scene.overdraw(&mut frame, &mut scratch),
-            _ => {
-                let mut depth = DepthBuffer::<Depth16>::band(&mut depth, width, height, band.clone())?;
-                depth.clear(Depth16::MAX);
-                if view == View::Wire {
-                    scene.wire(&mut frame, &mut depth)
-                } else if view != View::Id {
-                    scene.faces(view, &mut frame, &mut depth)
-                } else if has_few {
-                    let mut ids = Framebuffer::<Id16>::band(&mut scratch, width, height, band.clone())?;
-                    let id = |number| Id16(u16::try_from(number).unwrap_or_default());
-                    scene.ids(&mut frame, &mut depth, &mut ids, id, |id| id.0.into())
-                } else {
-                    let mut ids = Framebuffer::<Id32>::band(&mut scratch, width, height, band.clone())?;
-                    scene.ids(&mut frame, &mut depth, &mut ids, Id32, |id| id.0)
-                }
+        fragments += if view == View::Overdraw {
+            scene.overdraw(&mut frame, &mut scratch)
+        } else {
+            let mut depth = DepthBuffer::<Depth16>::band(&mut depth, width, height, band.clone())?;
+            depth.clear(Depth16::MAX);
+            if view == View::Wire {
+                scene.wire(&mut frame, &mut depth)
+            } else if view != View::Id {
+                scene.faces(view, &mut frame, &mut depth)
+            } else if has_few {
+                let mut ids = Framebuffer::<Id16>::band(&mut scratch, width, height, band.clone())?;
+                let id = |number| Id16(u16::try_from(number).unwrap_or_default());
+                scene.ids(&mut frame, &mut depth, &mut ids, id, |id| id.0.into())
+            } else {
+                let mut ids = Framebuffer::<Id32>::band(&mut scratch, width, height, band.clone())?;
+                scene.ids(&mut frame, &mut depth, &mut ids, Id32, |id| id.0)
             }
         };
         screen.extend_from_slice(frame.row_bytes(band));
