@@ -13,7 +13,7 @@ pub use self::antialias::Antialias;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, Plane, PointFx, Segments, Varying},
+    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, Segments, Varying},
     paint::{along, Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{

@@ -211,7 +211,7 @@ fn blue_triangle() -> Result<Picture, Error> {
     let mut ram = [0; buffer_bytes::<Rgb565>(64, 64)];
     let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 64)?;
     let corners = [(-1, 0), (0, -1), (-1, -1)].map(|(x, y)| Vec3::whole(x, y, 0));
-    Pipeline::new(64, 64).triangles(
+    Pipeline::new(64, 64)?.triangles(
         [corners],
         |place| Vertex::new(place.with_w(I16F16::ONE), ()),
         |triangle| triangle.fill(&mut frame, |_| Some(Rgb565::BLUE)),
