@@ -50,6 +50,9 @@ pub(crate) const DIVIDES: bool = !SMALL_CORE && !ARMV6;
 /// Whether the product of two words is one or two instructions, for both of its words. On Armv6-M it is a function.
 pub(crate) const LONG_PRODUCTS: bool = !SMALL_CORE && !ARMV6;
 
+/// Computers whose registers have 64 bits, and divide in them.
+pub(crate) const WORDS: bool = !SMALL_CORE && cfg!(target_pointer_width = "64");
+
 /// Cores that load and store words at any address.
 pub(crate) const UNALIGNED: bool = !SMALL_CORE
     && (ARMV7

@@ -1,8 +1,12 @@
 //! Divisions that say how they round, without a panic path and without the compiler's 64-bit division.
 
-use core::{cmp::Ordering, num::NonZeroU32};
+use core::{
+    cmp::Ordering,
+    num::{NonZeroU32, NonZeroU64},
+};
 
 use super::cast::{low_u32, signed, unsigned};
+use crate::tune::{DIVIDES, WORDS};
 
 /// Quotient rounded down and remainder in `0..d`.
 #[inline(always)]
@@ -16,17 +20,52 @@ pub(crate) fn floor_div_rem(n: i32, d: NonZeroU32) -> (i32, u32) {
 
 /// Quotient and remainder of a wide number whose quotient fits 32 bits: `n < 2^32 d`.
 ///
-/// One 32-bit division when `n` is small, else 32 steps of long division. Only shapes many thousand pixels wide need
-/// the steps, and no firmware links the 64-bit division of the runtime library.
+/// One 32-bit division when `n` is small. Else two of them, digit by digit of 16 bits, where the chip divides, or 32 steps of long
+/// division where it does not; computers of 64 bits just divide. No firmware links the 64-bit division of the runtime library.
 #[inline(never)]
 pub(crate) fn div_rem_wide(n: u64, d: NonZeroU32) -> (u32, u32) {
-    let (mut rest, mut low) = (low_u32(n >> 32), low_u32(n));
-    if rest == 0 {
+    if WORDS {
+        let wide = NonZeroU64::from(d);
+        return (low_u32(n / wide), low_u32(n % wide));
+    }
+    let (high, low) = (low_u32(n >> 32), low_u32(n));
+    if high == 0 {
         return (low / d, low % d);
     }
-    let d = d.get();
+    if DIVIDES {
+        by_digits(n, d)
+    } else {
+        by_bits(high, low, d.get())
+    }
+}
+
+/// D. E. Knuth, "The Art of Computer Programming" 2, section 4.3.1, algorithm D, with two digits of 16 bits.
+#[inline(always)]
+fn by_digits(n: u64, d: NonZeroU32) -> (u32, u32) {
+    let zeros = d.leading_zeros();
+    let (n, d) = (n.wrapping_shl(zeros), d.get().wrapping_shl(zeros));
+    // The upper digit has its highest bit set.
+    let Some(upper) = NonZeroU32::new(d >> 16) else { return (0, 0) };
+    let digit = |rest: u32, next: u32| {
+        let (mut q, mut r) = (rest / upper, rest % upper);
+        // It is too large by 2 at most.
+        while q >> 16 != 0 || q.wrapping_mul(d & 0xffff) > (r << 16 | next) {
+            (q, r) = (q.wrapping_sub(1), r.wrapping_add(upper.get()));
+            if r >> 16 != 0 {
+                break;
+            }
+        }
+        (q, (rest << 16 | next).wrapping_sub(q.wrapping_mul(d)))
+    };
+    let (high, rest) = digit(low_u32(n >> 32), low_u32(n) >> 16);
+    let (low, rest) = digit(rest, low_u32(n) & 0xffff);
+    (high << 16 | low, rest.wrapping_shr(zeros))
+}
+
+/// Long division: (rest, low) is shifted left bit by bit, and the bits of the quotient come into `low` from the right.
+#[inline(always)]
+fn by_bits(mut rest: u32, mut low: u32, d: u32) -> (u32, u32) {
     for _ in 0..32 {
-        // (rest, low) is shifted left by one bit. The bits of the quotient come into `low` from the right.
         let carry = rest >> 31;
         rest = rest << 1 | low >> 31;
         low <<= 1;
@@ -119,6 +158,29 @@ mod tests {
                     let (got, rest) = div_rem_wide(q * d64 + r, d);
                     assert_eq!((u64::from(got), u64::from(rest)), (q, r), "divisor {d}");
                 }
+            }
+        }
+    }
+
+    /// Each way for itself, whichever this machine takes.
+    #[test]
+    fn ways_of_division_agree() {
+        let mut seed = 7_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            (seed >> 32) as u32 >> (seed >> 27 & 31)
+        };
+        for _ in 0..400_000 {
+            let Some(d) = NonZeroU32::new(random()) else { continue };
+            let (q, r) = (random(), random() % d);
+            let n = u64::from(q) * u64::from(d.get()) + u64::from(r);
+            assert_eq!(by_digits(n, d), (q, r), "{n} / {d} by digits");
+            assert_eq!(by_bits((n >> 32) as u32, n as u32, d.get()), (q, r), "{n} / {d} by bits");
+        }
+        for d in divisors() {
+            for q in ENDS.map(|q| q as u32) {
+                let n = u64::from(q) * u64::from(d.get()) + u64::from(d.get() - 1);
+                assert_eq!(by_digits(n, d), (q, d.get() - 1), "{n} / {d} by digits");
             }
         }
     }
