@@ -242,7 +242,8 @@ fn within((u, v): (u64, u64), (a, b): (u64, u64)) -> std::cmp::Ordering {
     (square(b) * square(u)).cmp(&(square(a) * (square(b) - square(v))))
 }
 
-/// Is the centre of a pixel inside an ellipse given in units, `per_pixel` to a pixel? On the curve: on its left half only.
+/// Is the centre of a pixel inside an ellipse given in units, `per_pixel` to a pixel? On the curve: yes, if the ellipse's
+/// centre is one of the grid, that is twice a whole pixel; else on its left half only.
 pub fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64, x: i32, y: i32) -> bool {
     let u = i64::from(x) * per_pixel + per_pixel / 2 - centre.0;
     let v = i64::from(y) * per_pixel + per_pixel / 2 - centre.1;
@@ -251,7 +252,7 @@ pub fn ellipse_has(centre: (i64, i64), radii: (i64, i64), per_pixel: i64, x: i32
     }
     match within((u.unsigned_abs(), v.unsigned_abs()), (radii.0.unsigned_abs(), radii.1.unsigned_abs())) {
         std::cmp::Ordering::Less => true,
-        std::cmp::Ordering::Equal => u < 0,
+        std::cmp::Ordering::Equal => u < 0 || 2 * centre.0 % per_pixel == 0 && 2 * centre.1 % per_pixel == 0,
         std::cmp::Ordering::Greater => false,
     }
 }

@@ -10,7 +10,9 @@ use crate::{
 
 /// An ellipse with axes along x and y, as the pixels that it fills.
 ///
-/// There are two ways to give one. They differ for centres of pixels exactly on the curve: see [`ellipse`](super::ellipse).
+/// There are two ways to give one, by its box or by its centre and radii. Where the centre is a centre or a corner of a pixel, or
+/// the middle of a side, the ellipse is as symmetric as the pixels around it either way: centres of pixels exactly on the curve are
+/// inside. Around any other centre they are inside on the left half only: see [`ellipse`](super::ellipse).
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ellipse {
@@ -29,7 +31,8 @@ pub(super) struct Curve {
     /// Semi-axes in these units.
     pub(super) radii: (i64, i64),
     pub(super) shift: u32,
-    /// Whether centres on the curve are inside. Then the ellipse was given by its box, and the shift is 1.
+    /// Whether centres on the curve are inside. Then its centre is one of the grid too: a centre of pixels or of their sides, or a
+    /// corner.
     pub(super) closed: bool,
 }
 
@@ -51,12 +54,15 @@ impl Ellipse {
 
     /// A circle by its centre and radius, to 1/256 pixel: whole pixels are [`px`](crate::px) of their number.
     /// ```
-    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_graphics_core::{geometry::Point, pixelcolor::Gray8};
     /// use embedded_raster::{px, Canvas, Ellipse, Framebuffer, PointFx};
     /// let mut ram = [b'.'; 16];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 4)?;
     /// frame.fill_ellipse_fx(Ellipse::circle(PointFx::px(2, 2), px(2)), Gray8::new(b'#'));
     /// assert_eq!(&ram, b".##.########.##.");
+    /// // The centre of a pixel, and as many pixels on each side.
+    /// frame.fill_ellipse_fx(Ellipse::circle(PointFx::centre_of(Point::new(1, 1)), px(1)), Gray8::new(b'o'));
+    /// assert_eq!(&ram, b".o#.ooo##o##.##.");
     /// # Ok::<(), embedded_raster::Error>(())
     /// ```
     #[inline]
@@ -77,15 +83,16 @@ impl Ellipse {
     #[inline]
     fn scaled(centre: (i64, i64), radii: (i64, i64), shift: u32) -> Self {
         let pixel = |place: i64| first_pixel_from(place, shift);
+        let closed = (centre.0 | centre.1) & unit(shift).1.wrapping_sub(1) == 0;
         let extent = if radii.0 <= 0 || radii.1 <= 0 {
             Rect::new(0, 0, 0, 0)
         } else {
-            // The row after the last may have its centres at the lowest place of the curve, which counts as outside.
+            // The row after the last may have its centres at the lowest place of the curve, which may count as inside.
             let (x, y) = (centre.0, centre.1);
-            let (low, high) = (i64::wrapping_sub, i64::wrapping_add);
+            let (low, high) = (i64::wrapping_sub, |n: i64, r: i64| n.wrapping_add(r).wrapping_add(closed.into()));
             Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
         };
-        Self { extent, curve: Some(Curve { centre, radii, shift, closed: false }) }
+        Self { extent, curve: Some(Curve { centre, radii, shift, closed }) }
     }
 
     /// Its curve. That of an ellipse in a box is made of the box.
@@ -123,6 +130,12 @@ impl Curve {
     #[inline(always)]
     pub(super) fn v(&self, y: i32) -> i64 {
         centre_of(y, self.shift).wrapping_sub(self.centre.1)
+    }
+
+    /// The sum of the first column of a row and the one after its last, if it is closed.
+    #[inline(always)]
+    pub(super) fn both_ends(&self) -> i64 {
+        self.centre.0.wrapping_shr(self.shift.wrapping_sub(1))
     }
 
     /// The first column whose centre lies at or right of the centre.

@@ -4,8 +4,9 @@
 //! distances from the centre along x and y.
 //! - Of an ellipse [in a box](Ellipse::in_box) the curve touches the sides of the box, and a centre on the curve is inside:
 //!   what is drawn is as symmetric as the box.
-//! - Of an ellipse by [centre and radii](Ellipse::new) a centre on the curve is inside on the left half and outside on the
-//!   right: of a row, the pixels with `x0 <= cx < x1`, as for polygons.
+//! - Of an ellipse by [centre and radii](Ellipse::new) the same, if its centre is a centre or a corner of a pixel or the middle of a
+//!   side. Around any other place there is nothing to be symmetric: a centre on the curve is inside on the left half and outside
+//!   on the right, of a row the pixels with `x0 <= cx < x1`, as for polygons.
 //! ```text
 //!   box 6 x 6   box 7 x 7   box 13 x 6       outlines of the same boxes
 //!    .####.      ..###..     ...#######...    .####.   ..###..   ...#######...

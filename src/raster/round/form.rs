@@ -200,10 +200,10 @@ impl<T: Number> Rows<T> {
         let form = Form::new(curve.radii, curve.shift);
         let v = curve.v(clip.y0);
         if curve.closed {
-            // The box is symmetric, so one side is enough. It counts the distances that are visible on either side.
+            // It is symmetric, so one side is enough. It counts the distances that are visible on either side.
             let (from, max) = mirrored(curve, clip);
             let right = Follower::new(&form, (curve.u(from), v), 1, max);
-            let sum = narrow(curve.centre.0);
+            let sum = narrow(curve.both_ends());
             return Self { right, left: right, from, mirror: Some(sum) };
         }
         let from = curve.middle().max(clip.x0).min(clip.x1);
@@ -232,7 +232,7 @@ impl<T: Number> Rows<T> {
 #[inline(always)]
 pub(super) fn mirrored(curve: &Curve, clip: Rect) -> (i32, u32) {
     let first = i64::from(curve.middle());
-    let opposite = |x: i32| curve.centre.0.wrapping_sub(x.into());
+    let opposite = |x: i32| curve.both_ends().wrapping_sub(x.into());
     let (left_end, left_start) = (opposite(clip.x0), opposite(clip.x1));
     let (right_start, right_end) = (i64::from(clip.x0), i64::from(clip.x1));
     // On a clip across the middle one of the two starts lies left of it.
