@@ -23,7 +23,7 @@ use crate::{
         line, line_fx, outline,
         polygon::{self, drop_out::DropOut, EdgeSlot},
         rectangle,
-        rounded::{self, Radii},
+        rounded::{self, Align, Radii},
         stroke::{self, Dashing, Stroke},
         triangle,
     },
@@ -503,6 +503,47 @@ pub trait Canvas: Surface {
         in_color(self, color, |window, brush| rounded::fill(area, radii, window, brush));
     }
 
+    /// Fills what [`draw_rounded`](Self::draw_rounded) encloses, the outline included. To have both in two colours, call this first
+    /// and draw the outline over it.
+    #[inline]
+    fn fill_outlined_rounded(&mut self, area: impl Into<Rect>, radii: Radii, color: Self::Color) {
+        let area = area.into();
+        in_color(self, color, |window, brush| rounded::enclosed(area, radii, window, brush));
+    }
+
+    /// Draws a border of a rectangle with rounded corners, so many pixels wide: inside of it, around it, or half and half.
+    #[inline]
+    fn stroke_rounded(&mut self, area: impl Into<Rect>, radii: Radii, width: u32, align: Align, color: Self::Color) {
+        let area = area.into();
+        in_color(self, color, |window, brush| rounded::border(area, radii, width, align, window, brush));
+    }
+
+    /// Draws the ellipse in a box of pixels, or the circle if that is a square, with a line so many pixels wide: inside of the box,
+    /// around it, or half and half.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Align, Canvas, Framebuffer, Rect};
+    /// let mut ram = [b'.'; 36];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 6)?;
+    /// frame.stroke_ellipse(Rect::new(0, 0, 6, 6), 2, Align::Inside, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b".####.########..####..########.####.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    fn stroke_ellipse(&mut self, area: impl Into<Rect>, width: u32, align: Align, color: Self::Color) {
+        let [outer, inner] = align.boxes(area.into(), width);
+        self.fill_ring(outer, inner, color);
+    }
+
+    /// Draws the part of an ellipse that lies in a sector, with a line so many pixels wide: see
+    /// [`stroke_ellipse`](Self::stroke_ellipse).
+    #[doc(alias("gauge", "drawArc", "lv_draw_arc"))]
+    #[inline]
+    fn stroke_arc(&mut self, area: impl Into<Rect>, sector: Sector, width: u32, align: Align, color: Self::Color) {
+        let [outer, inner] = align.boxes(area.into(), width);
+        self.fill_ring_sector(outer, inner, sector, color);
+    }
+
     /// Fills the polygon whose corners are the centres of these pixels; its last corner is joined to the first. `table` is
     /// scratch memory: see [`polygon::fill`].
     ///
@@ -636,8 +677,8 @@ pub trait Canvas: Surface {
     /// Draws the outline of a path with a width: see [`stroke`](crate::raster::stroke).
     ///
     /// # Errors
-    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each
-    /// piece of the stroke that a row meets takes two slots.
+    /// [`EdgeTableFull`] if a single row is crossed by more sides than `table` holds. Nothing is painted then. Each line of the
+    /// stroke's [border](crate::raster::stroke::border) that a row meets takes a slot.
     #[inline]
     fn stroke_path_fx<D: Dashing>(
         &mut self,
@@ -674,7 +715,8 @@ pub trait Canvas: Surface {
     /// Draws a line with a width: see [`stroke`](crate::raster::stroke) for which pixels.
     ///
     /// # Errors
-    /// As for [`stroke_path_fx`](Self::stroke_path_fx). A solid line takes 4 slots with butt caps, 12 with square ones.
+    /// As for [`stroke_path_fx`](Self::stroke_path_fx). A solid line with butt caps takes none, or 4 if this is built for size; with
+    /// square ones it takes 8.
     #[doc(alias("thick_line", "wide_line", "drawThickLine", "drawWideLine", "dashed_line", "stroke_width"))]
     #[inline]
     fn stroke_line_fx<D: Dashing>(

@@ -37,7 +37,7 @@ pub use raster::{
     coverage::CoverageSlot,
     ellipse::Ellipse,
     polygon::EdgeSlot,
-    rounded::Radii,
+    rounded::{Align, Radii},
     stroke::{Cap, Dash, Join, Stroke},
 };
 pub use span::{ClippedSpan, Octants, Rect, Sink, Span, Steps};

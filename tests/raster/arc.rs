@@ -21,7 +21,7 @@ use fixed::types::{I16F16, I24F8};
 use twins::{
     assert_runs, collect,
     rng::{cases, Rng},
-    rounds::{from_box, rounded_has, rounded_outline_has, sector_has},
+    rounds::{from_box, rounded_enclosed_has, rounded_has, rounded_outline_has, sector_has},
     runs_where,
     scenes::window_near,
     tiles, Run, TILE_SIZES,
@@ -146,6 +146,9 @@ fn check_rounded(area: Rect, radii: Radii, window: Rect) {
     assert_runs(window, &hits.runs(), &runs_where(window, filled), || format!("canvas {area:?} {radii:?}"));
     let got = collect(window, |emit| rounded::outline(area, radii, window, emit));
     assert_runs(window, &got, &runs_where(window, border), || format!("outline of {area:?} {radii:?}"));
+    let enclosed = |x, y| rounded_enclosed_has(area, radii, x, y);
+    let got = collect(window, |emit| rounded::enclosed(area, radii, window, emit));
+    assert_runs(window, &got, &runs_where(window, enclosed), || format!("enclosed by {area:?} {radii:?}"));
 }
 
 #[test]
@@ -304,4 +307,54 @@ fn a_whole_turn_is_everything() {
         let slices = (0..of.into()).map(|i| painted(Sector::slice(i, 1, of)).0);
         assert_eq!(slices.sum::<usize>(), 69, "{of} slices");
     }
+}
+
+/// A border and what it encloses together are the outer shape, each pixel once.
+#[test]
+fn borders_nest() {
+    use embedded_raster::raster::rounded::Align;
+    let mut rng = Rng::new(570);
+    let mut seen = 0;
+    for i in 0..cases(6_000) {
+        let large = if i % 8 == 0 { 400 } else { 24 };
+        let (x, y) = (rng.int(-20, 20), rng.int(-20, 20));
+        let area = Rect::new(x, y, x + rng.int(0, large), y + rng.int(0, large));
+        let mut radius = || rng.pick(&[0, 1, 2, 3, 5, 9, 30, u32::MAX]);
+        let radii = Radii { top_left: radius(), top_right: radius(), bottom_right: radius(), bottom_left: radius() };
+        let width = rng.pick(&[0, 1, 2, 3, 4, 7, 30, u32::MAX]).min(1 << 16);
+        let align = rng.pick(&[Align::Inside, Align::Centred, Align::Outside]);
+        let (out, within) = match align {
+            Align::Inside => (0, width as i32),
+            Align::Centred => (width as i32 / 2, width as i32 - width as i32 / 2),
+            Align::Outside => (width as i32, 0),
+        };
+        let moved = |by: i32| {
+            let Rect { x0, y0, x1, y1 } = area;
+            let moved = Rect::new(x0 - by, y0 - by, x1 + by, y1 + by);
+            // A radius is at most half of the shorter side; a square corner stays square.
+            let limit = area.width().min(area.height()) / 2;
+            let radius = |r: u32| match r.min(limit) {
+                0 => 0,
+                r => (i64::from(r) + i64::from(by)).max(0) as u32,
+            };
+            let Radii { top_left: a, top_right: b, bottom_right: c, bottom_left: d } = radii;
+            let [top_left, top_right, bottom_right, bottom_left] = [a, b, c, d].map(radius);
+            let is_empty = area.is_empty() || moved.x0 >= moved.x1 || moved.y0 >= moved.y1;
+            (!is_empty).then_some((moved, Radii { top_left, top_right, bottom_right, bottom_left }))
+        };
+        let has =
+            |shape: Option<(Rect, Radii)>, x, y| shape.is_some_and(|(area, radii)| rounded_has(area, radii, x, y));
+        let (outer, inner) = (moved(out), moved(-within));
+        let window = window_near(&mut rng, x.into(), y.into());
+        let got = collect(window, |emit| rounded::border(area, radii, width, align, window, emit));
+        let wanted = runs_where(window, |x, y| has(outer, x, y) && !has(inner, x, y));
+        assert_runs(window, &got, &wanted, || format!("{align:?} {width} of {area:?} {radii:?}"));
+        for y in window.y0..window.y1 {
+            for x in window.x0..window.x1 {
+                assert!(has(outer, x, y) || !has(inner, x, y), "({x}, {y}) of {align:?} {width} {area:?} {radii:?}");
+            }
+        }
+        seen += usize::from(!wanted.is_empty());
+    }
+    assert!(seen * 4 > cases(6_000), "only {seen} borders were seen");
 }

@@ -133,6 +133,7 @@ fn every_shape_keeps_the_promises_of_a_sink() {
                 Box::new(|w, s| arc::ring_sector(ellipse, Ellipse::in_box(inner), sector, w, s)),
             ),
             ("rounded", area, Box::new(|w, s| rounded::fill(area, radii, w, s))),
+            ("rounded, enclosed", area, Box::new(|w, s| rounded::enclosed(area, radii, w, s))),
             ("rounded, outline", area, Box::new(|w, s| rounded::outline(area, radii, w, s))),
             (
                 "polygon",

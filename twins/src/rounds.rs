@@ -70,3 +70,11 @@ pub fn rounded_outline_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
         None => area.contains(x, y) && (x == area.x0 || y == area.y0 || x == area.x1 - 1 || y == area.y1 - 1),
     }
 }
+
+/// The outline and what lies between its pixels on each row.
+pub fn rounded_enclosed_has(area: Rect, radii: Radii, x: i32, y: i32) -> bool {
+    match corner_of(area, radii, x, y) {
+        Some(corner) => shapes::enclosed_has(corner, x, y),
+        None => area.contains(x, y),
+    }
+}

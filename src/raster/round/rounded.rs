@@ -2,7 +2,8 @@
 //!
 //! Each corner is a quarter of the circle whose box is twice the radius wide, by the rules of [`ellipse`](super::ellipse):
 //! filled, the pixels whose centres lie inside of it or on it; in outline, those nearest to the curve through the centres
-//! of its outermost pixels. Between the corners the sides are straight.
+//! of its outermost pixels. Between the corners the sides are straight. [`enclosed`] is the outline with all that it encloses: what
+//! to fill before an outline of another colour is drawn over it.
 //! ```text
 //!   11 x 6, radii 3, 3, 1, 2, clockwise from the top left
 //!    .#########.      .#########.
@@ -110,7 +111,7 @@ pub fn fill(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
     }
     let clip = area.intersection(window);
     if !clip.is_empty() {
-        draw::<false>(area, radii, clip, middle.intersection(window), sink);
+        draw::<false, true>(area, radii, clip, middle.intersection(window), sink);
     }
 }
 
@@ -138,29 +139,59 @@ fn fill_corners(corners: &Disc, middle: Rect, mut sink: impl Sink) {
 pub fn outline(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
     let clip = area.intersection(window);
     if !clip.is_empty() {
-        draw::<true>(area, radii, clip, Rect::default(), sink);
+        draw::<true, false>(area, radii, clip, Rect::default(), sink);
+    }
+}
+
+/// Emits the outline of a rectangle with rounded corners, and all that it encloses, as far as it lies in `window`, top row first.
+///
+/// Fill this before the outline is drawn over it in another colour. [`fill`] has corners on a circle that is half a pixel larger, so
+/// some of its pixels may lie outside of the outline.
+/// ```
+/// use embedded_raster::{raster::rounded, ClippedSpan, Radii, Rect};
+/// let (area, mut widths) = (Rect::new(0, 0, 12, 12), vec![]);
+/// rounded::enclosed(area, Radii::all(5), area, |s: ClippedSpan| widths.push(s.len()));
+/// assert_eq!(widths, [6, 8, 10, 12, 12, 12, 12, 12, 12, 10, 8, 6]);
+/// ```
+#[inline]
+pub fn enclosed(area: Rect, radii: Radii, window: Rect, sink: impl Sink) {
+    let clip = area.intersection(window);
+    if !clip.is_empty() {
+        draw::<true, true>(area, radii, clip, straight(area, radii).intersection(window), sink);
     }
 }
 
 #[inline(always)]
-fn draw<const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, middle: Rect, sink: impl Sink) {
+fn draw<const OUTLINE: bool, const FILLED: bool>(area: Rect, radii: Radii, clip: Rect, middle: Rect, sink: impl Sink) {
     let radii = radii.limited(area);
     let diameter = i64::from(radii.largest()) * 2;
     match size_of((diameter, diameter), 1) {
-        Size::Small => draw_by::<Wrapping<i32>, OUTLINE>(area, radii, clip, middle, sink),
-        _ => draw_large::<OUTLINE>(area, radii, clip, middle, sink),
+        Size::Small => draw_by::<Wrapping<i32>, OUTLINE, FILLED>(area, radii, clip, middle, sink),
+        _ => draw_large::<OUTLINE, FILLED>(area, radii, clip, middle, sink),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn draw_large<const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, middle: Rect, sink: impl Sink) {
-    draw_by::<Wrapping<i128>, OUTLINE>(area, radii, clip, middle, sink);
+fn draw_large<const OUTLINE: bool, const FILLED: bool>(
+    area: Rect,
+    radii: Radii,
+    clip: Rect,
+    middle: Rect,
+    sink: impl Sink,
+) {
+    draw_by::<Wrapping<i128>, OUTLINE, FILLED>(area, radii, clip, middle, sink);
 }
 
 /// Emits the rows of `clip`. Those of `middle`, which may be empty, are emitted as one area.
 #[inline(always)]
-fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect, middle: Rect, mut sink: impl Sink) {
+fn draw_by<T: Number, const OUTLINE: bool, const FILLED: bool>(
+    area: Rect,
+    radii: Radii,
+    clip: Rect,
+    middle: Rect,
+    mut sink: impl Sink,
+) {
     // Columns as distances from the left and from the right side.
     let from_left = (unsigned(clip.x0.wrapping_sub(area.x0)), unsigned(clip.x1.wrapping_sub(area.x0)));
     let from_right = (unsigned(area.x1.wrapping_sub(clip.x1)), unsigned(area.x1.wrapping_sub(clip.x0)));
@@ -169,7 +200,7 @@ fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect,
     let mut right = Flank::<T, OUTLINE>::new((radii.top_right, radii.bottom_right), area.height(), rows, from_right);
     let mut y = clip.y0;
     while y < clip.y1 {
-        if !OUTLINE && y == middle.y0 && !middle.is_empty() {
+        if FILLED && y == middle.y0 && !middle.is_empty() {
             sink.area(middle);
             let rows = middle.height();
             left.skip(rows);
@@ -181,7 +212,7 @@ fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect,
         crate::num::tally::add(crate::num::tally::Work::Step);
         let ((left, left_end), (right, right_end)) = (left.row(), right.row());
         let (x0, x1) = (area.x0.wrapping_add(signed(left)), area.x1.wrapping_sub(signed(right)));
-        let whole = !OUTLINE || y == area.y0 || y == area.y1.wrapping_sub(1) || area.width() == 1;
+        let whole = FILLED || y == area.y0 || y == area.y1.wrapping_sub(1) || area.width() == 1;
         let first_end = if whole { x1 } else { area.x0.wrapping_add(signed(left_end)) };
         if let Some(span) = (Span { y, x0, x1: first_end }).clip_columns(clip) {
             sink.span(span);
@@ -192,6 +223,136 @@ fn draw_by<T: Number, const OUTLINE: bool>(area: Rect, radii: Radii, clip: Rect,
             }
         }
         y = y.wrapping_add(1);
+    }
+}
+
+/// Emits a border of a rectangle with rounded corners, so many pixels wide, as far as it lies in `window`, top row first: the pixels
+/// of a filled rectangle with rounded corners that are not pixels of another one, whose sides are `width` pixels further in, and whose
+/// radii are as much less. So a border inside of a rectangle and what it encloses together draw each pixel of it once.
+/// ```
+/// use embedded_raster::{raster::rounded::{self, Align}, ClippedSpan, Radii, Rect};
+/// let (area, mut spans) = (Rect::new(0, 0, 8, 4), vec![]);
+/// rounded::border(area, Radii::all(2), 1, Align::Inside, area, |s: ClippedSpan| spans.push((s.y(), s.x0(), s.x1())));
+/// assert_eq!(spans, [(0, 1, 7), (1, 0, 1), (1, 7, 8), (2, 0, 1), (2, 7, 8), (3, 1, 7)]);
+/// ```
+pub fn border(area: Rect, radii: Radii, width: u32, align: Align, window: Rect, sink: impl Sink) {
+    let radii = radii.limited(area);
+    let [outer, inner] = align.boxes(area, width);
+    let grown = |by: i64| {
+        // A square corner stays one.
+        let radius =
+            |r: u32| if r == 0 { 0 } else { u32::try_from(i64::from(r).wrapping_add(by).max(0)).unwrap_or(u32::MAX) };
+        let Radii { top_left, top_right, bottom_right, bottom_left } = radii;
+        Radii {
+            top_left: radius(top_left),
+            top_right: radius(top_right),
+            bottom_right: radius(bottom_right),
+            bottom_left: radius(bottom_left),
+        }
+    };
+    let by = |outer: Rect| i64::from(area.x0).wrapping_sub(outer.x0.into());
+    let shapes = [(outer, grown(by(outer)).limited(outer)), (inner, grown(by(inner)).limited(inner))];
+    let clip = outer.intersection(window);
+    if clip.is_empty() {
+        return;
+    }
+    let diameter = i64::from(shapes.map(|shape| shape.1.largest()).into_iter().fold(0, u32::max)) * 2;
+    match size_of((diameter, diameter), 1) {
+        Size::Small => border_by::<Wrapping<i32>>(shapes, clip, sink),
+        _ => large_border(shapes, clip, sink),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn large_border(shapes: [(Rect, Radii); 2], clip: Rect, sink: impl Sink) {
+    border_by::<Wrapping<i128>>(shapes, clip, sink);
+}
+
+#[inline(always)]
+fn border_by<T: Number>([(outer, radii), (inner, inner_radii)]: [(Rect, Radii); 2], clip: Rect, mut sink: impl Sink) {
+    let hole = inner.intersection(clip);
+    let mut sides = Sides::<T>::new(outer, radii, clip);
+    let mut hole_sides = Sides::<T>::new(inner, inner_radii, hole);
+    for y in clip.y0..clip.y1 {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
+        let (x0, x1) = sides.row();
+        let is_open = !hole.is_empty() && hole.y0 <= y && y < hole.y1;
+        let (a, b) =
+            Some(is_open).filter(|&open| open).map(|_| hole_sides.row()).filter(|(a, b)| a < b).unwrap_or((x1, x1));
+        for (x0, x1) in [(x0, x1.min(a)), (x0.max(b), x1)] {
+            if let Some(span) = (Span { y, x0, x1 }).clip_columns(clip) {
+                sink.span(span);
+            }
+        }
+    }
+}
+
+/// Where a border lies, as seen from the box that it is drawn around.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Align {
+    /// In the box, along its sides.
+    #[default]
+    Inside,
+    /// Half of it inside of the box, rounded up, and the rest outside.
+    Centred,
+    /// Around the box.
+    Outside,
+}
+
+impl Align {
+    /// The outer and the inner side of a border as boxes. The inner one may be empty, and sides stop at the ends of the type.
+    pub(crate) fn boxes(self, area: Rect, width: u32) -> [Rect; 2] {
+        let (outside, inside) = match self {
+            Self::Inside => (0, width),
+            Self::Centred => (width >> 1, width.wrapping_sub(width >> 1)),
+            Self::Outside => (width, 0),
+        };
+        let Rect { x0, y0, x1, y1 } = area;
+        if area.is_empty() {
+            return [Rect::default(); 2];
+        }
+        let out = |low: i32, high: i32| (low.saturating_sub_unsigned(outside), high.saturating_add_unsigned(outside));
+        let within = |low: i32, high: i32| (low.saturating_add_unsigned(inside), high.saturating_sub_unsigned(inside));
+        let rect = |(x0, x1): (i32, i32), (y0, y1): (i32, i32)| {
+            if x0 < x1 && y0 < y1 {
+                Rect { x0, y0, x1, y1 }
+            } else {
+                Rect::default()
+            }
+        };
+        [rect(out(x0, x1), out(y0, y1)), rect(within(x0, x1), within(y0, y1))]
+    }
+}
+
+/// Both borders of a filled rectangle with rounded corners, row by row.
+struct Sides<T> {
+    area: Rect,
+    left: Flank<T, false>,
+    right: Flank<T, false>,
+}
+
+impl<T: Number> Sides<T> {
+    /// From the first row of `clip` on, which lies in the area.
+    #[inline(always)]
+    fn new(area: Rect, radii: Radii, clip: Rect) -> Self {
+        let from_left = (unsigned(clip.x0.wrapping_sub(area.x0)), unsigned(clip.x1.wrapping_sub(area.x0)));
+        let from_right = (unsigned(area.x1.wrapping_sub(clip.x1)), unsigned(area.x1.wrapping_sub(clip.x0)));
+        let rows = (unsigned(clip.y0.wrapping_sub(area.y0)), unsigned(clip.y1.wrapping_sub(area.y0)));
+        Self {
+            area,
+            left: Flank::new((radii.top_left, radii.bottom_left), area.height(), rows, from_left),
+            right: Flank::new((radii.top_right, radii.bottom_right), area.height(), rows, from_right),
+        }
+    }
+
+    /// The first pixel of this row and the one after the last; goes to the next row.
+    #[inline(always)]
+    fn row(&mut self) -> (i32, i32) {
+        let ((left, _), (right, _)) = (self.left.row(), self.right.row());
+        (self.area.x0.wrapping_add(signed(left)), self.area.x1.wrapping_sub(signed(right)))
     }
 }
 
