@@ -29,7 +29,6 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Surface::write_span_inside", "the same"),
     ("Brush::new", "`Canvas::paint` makes one"),
     ("Cut", "not to be named outside of the crate; strokes call it"),
-    ("Ready", "the same"),
     ("Outline", "the same"),
     ("Error", "it wraps another error"),
     ("Frame::clone", "a copy"),

@@ -56,6 +56,8 @@ calls! {
     [rounded]
     fill => spans(|look| rounded::fill(area, a.radii, window, look));
     outline => spans(|look| rounded::outline(area, a.radii, window, look));
+    enclosed => spans(|look| rounded::enclosed(area, a.radii, window, look));
+    border => spans(|look| rounded::border(area, a.radii, n.unsigned_abs(), a.align(), window, look));
     [arc]
     outline => spans(|look| arc::outline(area, a.sector, window, look));
     fill => spans(|look| arc::fill(ellipse, a.sector, window, look));
@@ -82,6 +84,16 @@ calls! {
     fill_polyline => {
         let mut sum = 0_usize;
         stroke::fill_polyline(a.contour, a.flag, &a.stroke, a.table, window, add(&mut sum)).map(|()| sum)
+    };
+    border => {
+        let mut sum = 0;
+        stroke::border(path, &a.stroke.dashed(a.dashes, a.phase), window, |a, b| sum = (sum, (a, b)).answer());
+        sum
+    };
+    border_of_polyline => {
+        let mut sum = 0;
+        stroke::border_of_polyline(a.contour, a.flag, &a.stroke, window, |a, b| sum = (sum, (a, b)).answer());
+        sum
     };
     extent => stroke::extent(path, &a.stroke);
     // Coverage, in the files that its functions are in.
@@ -267,10 +279,7 @@ calls! {
     with_join => stroke::extent(path, &a.stroke.with_join(stroke::Join::Miter));
     with_miter_limit => stroke::extent(path, &a.stroke.with_miter_limit(a.phase));
     dashed => stroke::extent(path, &a.stroke.dashed(a.dashes, a.phase));
-    of_path => sum(a.stroke.of_path(path, window).map(sum));
-    of_polyline => sum(a.stroke.of_polyline(a.contour, a.flag, window).map(sum));
-    [Piece]
-    next => a.stroke.of_polyline(a.contour, a.flag, window).next().and_then(|mut piece| piece.next());
+    with_min_width => stroke::extent(path, &a.stroke.with_min_width(a.size));
     [Viewport]
     new => Viewport::new([p, q].map(|p| I16F16::from_bits(p.x.to_bits())), [r, s].map(|p| I16F16::from_bits(p.y.to_bits())), area).to_plane(p);
     from_bits => a.viewport().to_plane(p);

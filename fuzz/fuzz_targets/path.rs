@@ -4,7 +4,11 @@
 mod input;
 
 use embedded_raster::{
-    raster::{outline, polygon},
+    px,
+    raster::{
+        outline, polygon,
+        stroke::{self, Dashing},
+    },
     Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, Rect, Stroke,
 };
 use fixed::types::I24F8;
@@ -12,7 +16,7 @@ use input::Input;
 use libfuzzer_sys::fuzz_target;
 use twins::{
     assert_runs, collect,
-    curves::{outlines, places, segments, Piece},
+    curves::{outlines, outlines_for, places, segments, Piece},
     outlines::outline_pixels,
     runs_where,
     strokes::{Pattern, Pen},
@@ -35,7 +39,7 @@ fuzz_target!(|data: &[u8]| {
     match choice & 3 {
         0 => fill(&pieces, choice, window),
         1 => thin(&pieces, all_near, window),
-        2 => stroke(&pieces, pen, all_near, window),
+        2 => solid(&pieces, pen, all_near, window),
         _ => dashes(&pieces, pen, &pattern, all_near, window),
     }
 });
@@ -84,7 +88,15 @@ fn pattern(input: &mut Input<'_>) -> Pattern {
 
 fn as_stroke(pen: Pen) -> Stroke {
     let stroke = Stroke::new(I24F8::from_bits(pen.width)).with_cap(pen.cap).with_join(pen.join);
-    stroke.with_miter_limit(I24F8::from_bits(pen.limit))
+    stroke.with_miter_limit(I24F8::from_bits(pen.limit)).with_min_width(px(0))
+}
+
+/// The same of a stroke.
+fn stroked<D: Dashing>(path: Path<'_>, style: &Stroke<D>, window: Rect) -> Vec<Run> {
+    let mut count = 0;
+    stroke::border(path, style, window, |_, _| count += 1);
+    let mut table = vec![EdgeSlot::EMPTY; count];
+    collect(window, |emit| stroke::fill(path, style, &mut table, window, emit).expect("enough slots"))
 }
 
 /// By a table that is as long as it takes.
@@ -122,11 +134,11 @@ fn thin(pieces: &[Piece], has_twin: bool, window: Rect) {
     }
 }
 
-fn stroke(pieces: &[Piece], pen: Pen, has_twin: bool, window: Rect) {
+fn solid(pieces: &[Piece], pen: Pen, has_twin: bool, window: Rect) {
     let path = segments(pieces);
-    let got = filled(as_stroke(pen).of_path(Path::new(&path), window), FillRule::NonZero, window);
+    let got = stroked(Path::new(&path), &as_stroke(pen), window);
     if has_twin {
-        let wanted = twins::polygon(&pen.parts(&outlines(pieces)), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.parts(&outlines_for(pieces, pen.width)), FillRule::NonZero, window);
         assert_runs(window, &got, &wanted, || format!("{pen:?} {pieces:?}"));
     }
 }
@@ -135,11 +147,11 @@ fn dashes(pieces: &[Piece], pen: Pen, pattern: &Pattern, has_twin: bool, window:
     let path = segments(pieces);
     let lengths: Vec<_> = pattern.lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
     let stroke = as_stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
-    let got = filled(stroke.of_path(Path::new(&path), window), FillRule::NonZero, window);
+    let got = stroked(Path::new(&path), &stroke, window);
     // The twin goes from dash to dash: not too many.
     let period: i64 = pattern.lengths.iter().map(|&n| i64::from(n.max(0))).sum();
     if has_twin && period > 100 {
-        let wanted = twins::polygon(&pen.dashes(&outlines(pieces), pattern), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.dashes(&outlines_for(pieces, pen.width), pattern), FillRule::NonZero, window);
         assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {pieces:?}"));
     }
 }

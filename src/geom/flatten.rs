@@ -39,6 +39,21 @@
 //! the same side of the chord, and `4 |V x c| > |W| |c|`, V being the one of the two with the smaller product: both
 //! point across the chord rather than along it. Then pieces of equal time are hardly more than there must be.
 //!
+//! **For strokes** the borders beside the curve count too: they bend with it, the outer one more. A curve for a stroke of the
+//! width w is halved until each part is flat in this sense:
+//! ```text
+//!     |W x c| / 4 |c| + w T^2 / 16 <= D  and  |W c| <= |c|^2,    T = (|W(0) x c| + |W(1) x c|) / |c|^2 < 1
+//!     or  |W| <= 8
+//! ```
+//! and the second summand is at most 3/4 of D. Besides, where `w |V x c| >= m |c|^2` for V = W(0) or W(1), m being the longer component
+//! of c, the radius may be less than w / 2, and the inner border may turn back on the way; there `w |(W(0) - W(1)) x c| <= 192 |c|^2`,
+//! so that the angle between the offset and where it would be if it turned evenly moves its end by 24 units at most. (For thin strokes, up to 1.25 pixels, it is `w T^2`: they turn by less than a quarter in one line, so that their straight sides
+//! hardly differ from the curve's.)
+//! T is the angle that the part turns by: between the offsets of its ends, w / 2 long, a border is within w T^2 / 16 of its chord,
+//! and within as much as the part is from its own. A part with the second line is a cusp, or the like: what turns there is a join.
+//! At the end of each line the *way* is known, which is the direction of the curve: P'; or where that is 0 P'' after that time and
+//! -P'' before it; or the third derivative, before and after.
+//!
 //! **Rounding.** The coordinates of all W and the quotient by 4 D are rounded down to whole numbers. A part with a
 //! coordinate of W that is not within 2^15 is neither flat nor even: it is halved. Where a coordinate of c has more
 //! than 15 bits, both lose as many low bits as the longer one has too many, and W c loses as many. Piece i of m ends at
@@ -69,7 +84,7 @@ use super::{
 use crate::{
     num::{
         cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
-        round::difference,
+        round::{difference, div_rem_wide},
         wide::times,
     },
     span::Rect,
@@ -78,6 +93,10 @@ use crate::{
 
 /// Whether small curves are followed in 32 bits; built for size, all are in 64.
 const NARROW: bool = !COMPACT;
+/// 4 D is `2^7` units for strokes.
+const FOUR_D_BITS: u32 = 7;
+/// Strokes up to this width, in units, are thin.
+pub(crate) const THIN: u32 = 320;
 /// Times are in units of `2^-20`.
 const TIME_BITS: u32 = 20;
 /// The time at the end of a curve.
@@ -124,7 +143,7 @@ impl<I: Segments> Contours<I> {
     /// ```
     #[inline]
     pub fn new(path: impl IntoIterator<IntoIter = I>) -> Self {
-        Self { rest: path.into_iter(), start: PointFx::from_bits(0, 0), view: View::ALL }
+        Self { rest: path.into_iter(), start: PointFx::from_bits(0, 0), view: View::ALL, width: 0 }
     }
 
     /// The contours for a fill of which only `window` is seen. It has the same pixels there with fewer vertices: curves
@@ -147,6 +166,12 @@ impl<I: Segments> Contours<I> {
     pub(crate) fn near(path: impl IntoIterator<IntoIter = I>, window: Rect, reach: u32) -> Self {
         Self { view: View::of(window, reach), ..Self::new(path) }
     }
+
+    /// The same for a stroke of this width, in units.
+    #[inline]
+    pub(crate) fn wide(path: impl IntoIterator<IntoIter = I>, window: Rect, reach: u32, width: u32) -> Self {
+        Self { width, ..Self::near(path, window, reach) }
+    }
 }
 
 /// The contours of a path.
@@ -156,6 +181,8 @@ pub struct Contours<I> {
     /// Where a contour without a move starts.
     start: PointFx,
     view: View,
+    /// Of a stroke, or 0.
+    width: u32,
 }
 
 impl<I: Segments> Iterator for Contours<I> {
@@ -178,7 +205,8 @@ impl<I: Segments> Iterator for Contours<I> {
             self.rest = rest;
             len = len.wrapping_add(1);
         }
-        (len > 0).then(|| Contour::new(self.start, segments, len, closed, self.view))
+        let (start, view) = (self.start, self.view);
+        (len > 0).then(|| Contour { width: self.width, ..Contour::new(start, segments, len, closed, view) })
     }
 }
 
@@ -195,7 +223,11 @@ pub struct Contour<I> {
     curve: Option<Bezier>,
     closed: bool,
     view: View,
+    width: u32,
 }
+
+/// Which way a curve goes at a place: a vector of any length.
+pub(crate) type Way = (i64, i64);
 
 /// A vertex, and whether it lies inside of a curve, where the path has no corner.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -207,7 +239,7 @@ pub(crate) struct Knot {
 impl<I: Segments> Contour<I> {
     #[inline]
     fn new(start: PointFx, segments: I, left: usize, closed: bool, view: View) -> Self {
-        Self { start: Some(start), at: start, segments, left, curve: None, closed, view }
+        Self { start: Some(start), at: start, segments, left, curve: None, closed, view, width: 0 }
     }
 
     #[inline]
@@ -228,6 +260,12 @@ impl<I: Segments> Contour<I> {
         self.at == v
     }
 
+    /// The curve whose vertices come now, or came last if no segment came after it.
+    #[inline]
+    pub(crate) fn curve(&self) -> Option<&Bezier> {
+        self.curve.as_ref()
+    }
+
     /// The same up to the last part of it that a view may show. What comes behind is left out, and with it the closing side. A
     /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
     #[inline]
@@ -244,13 +282,13 @@ impl<I: Segments> Contour<I> {
             return Some(Knot { at, smooth: false });
         }
         loop {
-            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view)) {
+            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view, self.width)) {
                 return Some(knot);
             }
             let from = self.at;
             self.at = match self.next_segment()? {
                 PathSegment::LineTo(to) => {
-                    self.at = to;
+                    (self.at, self.curve) = (to, None);
                     return Some(Knot { at: to, smooth: false });
                 }
                 PathSegment::QuadraticTo(c, to) => {
@@ -261,7 +299,10 @@ impl<I: Segments> Contour<I> {
                     self.curve = Some(Bezier::cubic([from, c, d, to], &self.view));
                     to
                 }
-                PathSegment::MoveTo(_) | PathSegment::Close => return None,
+                PathSegment::MoveTo(_) | PathSegment::Close => {
+                    self.curve = None;
+                    return None;
+                }
             };
         }
     }
@@ -309,12 +350,18 @@ impl<I: Segments> Front<I> {
         let is_last = self.contour.left == 0;
         if let Some(curve) = self.contour.curve.as_ref().filter(|curve| is_last && curve.part.done == curve.part.pieces)
         {
-            let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view));
+            let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view, self.contour.width));
             if curve.part.end() >= until {
                 return None;
             }
         }
         self.contour.next_knot()
+    }
+
+    /// See [`Contour::curve`].
+    #[inline]
+    pub(crate) fn curve(&self) -> Option<&Bezier> {
+        self.contour.curve()
     }
 
     /// Whether it ends with [`PathSegment::Close`], and that is not left out.
@@ -341,12 +388,14 @@ impl<I: Segments> Iterator for Contour<I> {
 
 /// A curve that is being cut into pieces. Times are in units of 2^-20.
 #[derive(Clone, Debug)]
-struct Bezier {
+pub struct Bezier {
     x: Polynomial,
     y: Polynomial,
     /// The part whose pieces come now.
     part: Section,
-    /// Where the last piece ended.
+    /// When the last piece began.
+    from: u32,
+    /// Where it ended.
     last: PointFx,
     /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its
     /// second half ends where it did, and the point is not computed again.
@@ -395,18 +444,19 @@ impl Bezier {
     fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), is_inside: bool) -> Self {
         let is_small = NARROW && x.is_small() && y.is_small();
         let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
-        Self { x, y, part, last: start, ahead: (END, end), is_inside, is_small }
+        Self { x, y, part, from: 0, last: start, ahead: (END, end), is_inside, is_small }
     }
 
     /// The end of the next piece; `None` at the end of the curve.
-    fn next(&mut self, view: &View) -> Option<Knot> {
+    fn next(&mut self, view: &View, width: u32) -> Option<Knot> {
+        let start = self.part.time(self.part.done);
         if self.part.done == self.part.pieces {
-            let start = self.part.time(self.part.done);
             if start == END {
                 return None;
             }
-            self.part = self.next_part(start, view);
+            self.part = self.next_part(start, view, width);
         }
+        self.from = start;
         self.part.done = self.part.done.wrapping_add(1);
         let time = self.part.time(self.part.done);
         self.last = if time == self.ahead.0 { self.ahead.1 } else { self.at(time) };
@@ -414,7 +464,7 @@ impl Bezier {
     }
 
     /// The part that starts here and is not halved, because it is flat, bends evenly, or lies beside the view.
-    fn next_part(&mut self, start: u32, view: &View) -> Section {
+    fn next_part(&mut self, start: u32, view: &View, width: u32) -> Section {
         // Of the parts that halving makes, the longest that starts here: those around it were halved before.
         let mut part = Section { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
         loop {
@@ -423,7 +473,7 @@ impl Bezier {
                 self.ahead = (end, self.at(end));
             }
             let bends = self.bends(part);
-            part.pieces = bends.pieces(self.last, self.ahead.1, view.tolerance);
+            part.pieces = bends.pieces(self.last, self.ahead.1, view.tolerance, width);
             if part.pieces == 0 && !self.is_inside && bends.lie_beside(view, self.last, self.ahead.1) {
                 part.pieces = 1;
             }
@@ -435,7 +485,7 @@ impl Bezier {
     }
 
     /// The end of the last part that the view may show, as far as halving tells.
-    fn seen_until(&self, view: &View) -> u32 {
+    fn seen_until(&self, view: &View, width: u32) -> u32 {
         let (mut end, mut to, mut level) = (END, self.at(END), TIME_BITS);
         loop {
             let start = end.wrapping_sub(1_u32.wrapping_shl(level));
@@ -446,7 +496,7 @@ impl Bezier {
                     return 0;
                 }
                 (end, to, level) = (start, from, start.trailing_zeros());
-            } else if bends.pieces(from, to, view.tolerance) != 0 {
+            } else if bends.pieces(from, to, view.tolerance, width) != 0 {
                 return end;
             } else {
                 level = level.wrapping_sub(1);
@@ -469,6 +519,71 @@ impl Bezier {
         Bends(bends(first), bends(first.wrapping_add(length)))
     }
 
+    /// Which way it goes at the start and at the end of the piece that came last. (0, 0) inside of the curve, if only its own ends are
+    /// asked for.
+    pub(crate) fn ways(&self, only_ends: bool) -> [Way; 2] {
+        let way = |time, is_end| if only_ends && time != 0 && time != END { (0, 0) } else { self.way(time, is_end) };
+        [way(self.from, false), way(self.part.time(self.part.done), true)]
+    }
+
+    /// Which way it goes where the piece that came last passes a place beside it, as seen along a vector of 30 bits: within a
+    /// 2^12th of its time.
+    #[inline(never)]
+    pub(crate) fn way_beside(&self, place: PointFx, along: (i32, i32)) -> Way {
+        let (place, mut from, mut to) = (bits(place), self.from, self.part.time(self.part.done));
+        for _ in 0..12 {
+            let middle = from.wrapping_add(to) >> 1;
+            let at = bits(self.at(middle));
+            let product = |n: i32, m: i32, u: i32| difference(n, m).wrapping_mul(i64::from(u >> 2));
+            if product(at.0, place.0, along.0).wrapping_add(product(at.1, place.1, along.1)) < 0 {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        self.way(to, true)
+    }
+
+    /// How much longer than its chord the piece that came last is, in units of 2^-16 pixel, if it is a part as a whole. The length of
+    /// the chord is given in units.
+    ///
+    /// A curve that turns evenly by a small angle T is longer by the T^2 / 24th part, and T is `2 |W x c| / |c|^2`.
+    #[inline(never)]
+    pub(crate) fn excess(&self, from: PointFx, length: u64) -> u64 {
+        let Ok(length) = u32::try_from(length) else { return 0 };
+        let Some(length) = NonZeroU32::new(length) else { return 0 };
+        let (Bends(first, second), (a, b)) = (self.bends(self.part), (bits(from), bits(self.last)));
+        let sum = |p: i32, q: i32| i64::from(p).wrapping_add(q.into());
+        let (w, c) = ((sum(first.0, second.0), sum(first.1, second.1)), (difference(b.0, a.0), difference(b.1, a.1)));
+        let across = w.0.wrapping_mul(c.1).wrapping_sub(w.1.wrapping_mul(c.0)).unsigned_abs();
+        // 16 |W x c| / |c|, below 2^15 for parts that are flat.
+        let (bend, _) = div_rem_wide(across << 3, length);
+        let (bend, length) = (bend.min(0xffff), length.get());
+        // bend^2 / 6 length.
+        NonZeroU32::new(length.saturating_mul(6)).map_or(0, |divisor| u64::from(bend.wrapping_mul(bend) / divisor))
+    }
+
+    /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
+    #[inline(never)]
+    fn way(&self, time: u32, before: bool) -> Way {
+        let slope = (self.x.slope(time), self.y.slope(time));
+        if slope != (0, 0) {
+            return slope;
+        }
+        let bend = |p: &Polynomial| {
+            let bend = p.a.wrapping_mul(3).wrapping_mul(i64::from(time)).wrapping_add(p.b << TIME_BITS);
+            if before {
+                bend.wrapping_neg()
+            } else {
+                bend
+            }
+        };
+        match (bend(&self.x), bend(&self.y)) {
+            (0, 0) => (self.x.a, self.y.a),
+            bend => bend,
+        }
+    }
+
     fn at(&self, t: u32) -> PointFx {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Point);
@@ -484,10 +599,13 @@ impl Bends {
     ///
     /// Coordinates of W and of the chord are below 2^15: sums of two products fit 31 bits.
     #[inline(always)]
-    fn pieces(&self, from: PointFx, to: PointFx, tolerance: u32) -> u32 {
+    fn pieces(&self, from: PointFx, to: PointFx, tolerance: u32, width: u32) -> u32 {
         let &Self(first, second) = self;
         if !are_small(first, second) {
             return 0;
+        }
+        if width != 0 {
+            return u32::from(self.is_flat_beside(from, to, width));
         }
         let (c, scale) = chord(bits(from), bits(to));
         let square = product(c, c);
@@ -524,6 +642,55 @@ impl Bends {
         } else {
             0
         }
+    }
+
+    /// Whether the part between two places is flat, and so are the borders of a stroke beside it. Coordinates of W are below 2^15.
+    #[inline(never)]
+    fn is_flat_beside(&self, from: PointFx, to: PointFx, width: u32) -> bool {
+        let &Self(first, second) = self;
+        if product(first, first) <= 64 && product(second, second) <= 64 {
+            return true;
+        }
+        let (c, scale) = chord(bits(from), bits(to));
+        let Some(square) = NonZeroU32::new(product(c, c)) else { return false };
+        let is_along = |w: (i32, i32)| product(w, c).wrapping_shr(scale) <= square.get();
+        if !(is_along(first) && is_along(second)) {
+            return false;
+        }
+        // W is linear. The coordinates of W(0) and W(1) are below 2^17, and their products with c below 2^33.
+        let across = |w: (i32, i32)| {
+            let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
+            product(w.0, c.1).wrapping_sub(product(w.1, c.0))
+        };
+        let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
+        let start = across((on(first.0, second.0), on(first.1, second.1)));
+        let end = across((on(second.0, first.0), on(second.1, first.1)));
+        let (uneven, wide) = (start.abs_diff(end), u64::from(width));
+        let (start, end) = (start.unsigned_abs(), end.unsigned_abs());
+        // Where the inner border may turn back, it does not turn unevenly.
+        let longer = u64::from(c.0.unsigned_abs().max(c.1.unsigned_abs()));
+        let sharp = start.max(end).wrapping_mul(wide).wrapping_shr(2_u32.wrapping_mul(scale));
+        if sharp >= longer.wrapping_mul(square.get().into())
+            && uneven.wrapping_mul(wide).wrapping_shr(scale) > u64::from(square.get()).wrapping_mul(192)
+        {
+            return false;
+        }
+        // In units of 2^-12.
+        let sum = (start.wrapping_add(end) << 12).wrapping_shr(scale);
+        if sum >= u64::from(square.get()) << 12 {
+            return false;
+        }
+        let (turn, _) = div_rem_wide(sum, square);
+        // 4 (D - w T^2 / 16), rounded up.
+        let down = if width <= THIN { 22 } else { 26 };
+        let turned = u64::from(turn.wrapping_mul(turn)).wrapping_mul(u64::from(width)).wrapping_shr(down);
+        // At least a quarter of D is left for the curve itself.
+        let Some(rest) = (1_u64 << FOUR_D_BITS).checked_sub(turned).filter(|&rest| rest >= 32) else { return false };
+        let flat = |w: (i32, i32)| {
+            let across = across(w).unsigned_abs();
+            across.wrapping_mul(across) <= rest.wrapping_mul(rest).wrapping_mul(u64::from(square.get()))
+        };
+        flat(first) && flat(second)
     }
 
     /// Whether the part between two places, which has these bends, lies on one side of the view as a whole.
@@ -617,6 +784,16 @@ impl Polynomial {
     /// Whether both coefficients of the second derivative are below 2^28.
     fn is_small(&self) -> bool {
         (self.a.unsigned_abs() | self.b.unsigned_abs()) >> 28 == 0
+    }
+
+    /// Its slope at `t / 2^20`, times 2^8, rounded towards zero: below 2^44.
+    ///
+    /// `3 a t + 2 b` is below 2^38, and times 2^20 it has 58 bits. Times t, and with the slope at the start, `c 2^40`, it has 80.
+    fn slope(&self, t: u32) -> i64 {
+        let first = self.a.wrapping_mul(3).wrapping_mul(i64::from(t)).wrapping_add(self.b << (TIME_BITS + 1));
+        let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
+        let slope = high.wrapping_add(self.c << (2 * TIME_BITS - 32));
+        slope.wrapping_add(i64::from(slope < 0 && low != 0))
     }
 
     /// Its value at `t / 2^20`, rounded to nearest.

@@ -65,7 +65,8 @@ fn by_halves(n: u64) -> u32 {
     let left = left << 1 | low >> 16 & 1;
     let found = (root << 16).wrapping_add(q);
     // What is left of n, which may be negative.
-    let over = signed_wide(u64::from(left) << 16 | u64::from(low & 0xffff)) < signed_wide(u64::from(q).wrapping_mul(q.into()));
+    let over =
+        signed_wide(u64::from(left) << 16 | u64::from(low & 0xffff)) < signed_wide(u64::from(q).wrapping_mul(q.into()));
     found.wrapping_sub(u32::from(over)).wrapping_shr(zeros >> 1)
 }
 

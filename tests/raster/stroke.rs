@@ -4,13 +4,14 @@
 use std::collections::HashSet;
 
 use embedded_raster::{
-    raster::{polygon, stroke as thick},
+    px,
+    raster::stroke::{self as thick, Dashing},
     Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke,
 };
 use fixed::types::I24F8;
 use twins::{
     assert_runs, collect,
-    curves::{distance, outlines, places, random_path, segments, Outline, Piece},
+    curves::{distance, outlines_for, places, random_path, segments, Outline, Piece},
     rng::{cases, Rng},
     scenes::{outline, window_on, Scale},
     strokes::{Pattern, Pen},
@@ -26,24 +27,42 @@ fn stroke(pen: Pen) -> Stroke {
         .with_cap(pen.cap)
         .with_join(pen.join)
         .with_miter_limit(I24F8::from_bits(pen.limit))
+        .with_min_width(px(0))
+}
+
+/// By a table that is as long as it takes.
+fn stroked<D: Dashing>(path: Path<'_>, stroke: &Stroke<D>, window: Rect) -> Vec<Run> {
+    let mut count = 0;
+    thick::border(path, stroke, window, |_, _| count += 1);
+    let mut table = vec![EdgeSlot::EMPTY; count];
+    collect(window, |emit| thick::fill(path, stroke, &mut table, window, emit).expect("enough slots"))
 }
 
 fn path_pixels(pieces: &[Piece], pen: Pen, window: Rect) -> Vec<Run> {
-    let path = segments(pieces);
-    let parts = stroke(pen).of_path(Path::new(&path), window);
-    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+    stroked(Path::new(&segments(pieces)), &stroke(pen), window)
 }
 
 fn polyline_pixels(units: &[Units], closed: bool, pen: Pen, window: Rect) -> Vec<Run> {
-    let places = vertices(units);
-    let parts = stroke(pen).of_polyline(&places, closed, window);
-    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+    let (places, stroke) = (vertices(units), stroke(pen));
+    let mut table = vec![EdgeSlot::EMPTY; polyline_lines(&places, closed, &stroke, window).len()];
+    collect(window, |emit| {
+        thick::fill_polyline(&places, closed, &stroke, &mut table, window, emit).expect("enough slots");
+    })
+}
+
+fn polyline_lines<D: Dashing>(
+    places: &[PointFx],
+    closed: bool,
+    stroke: &Stroke<D>,
+    window: Rect,
+) -> Vec<(PointFx, PointFx)> {
+    let mut lines = vec![];
+    thick::border_of_polyline(places, closed, stroke, window, |a, b| lines.push((a, b)));
+    lines
 }
 
 fn polyline(units: &[Units], closed: bool) -> Outline {
-    Outline { places: units.to_vec(), smooth: vec![false; units.len()], closed }
+    Outline { places: units.to_vec(), smooth: vec![false; units.len()], closed, parts: vec![] }
 }
 
 fn random_pen(rng: &mut Rng, widest: i32) -> Pen {
@@ -63,7 +82,7 @@ fn paths(scale: Scale, count: usize, widest: i32) {
         let path = random_path(&mut rng, scale, 2);
         let pen = random_pen(&mut rng, widest);
         let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
-        let contours = pen.parts(&outlines(&path));
+        let contours = pen.parts(&outlines_for(&path, pen.width));
         let wanted = twins::polygon(&contours, FillRule::NonZero, window);
         let got = path_pixels(&path, pen, window);
         assert_runs(window, &got, &wanted, || format!("{pen:?} {path:?}"));
@@ -214,9 +233,10 @@ fn a_side_is_as_thick_as_it_is_wide() {
         }
         let width = rng.int(0, 1 << 24) >> rng.int(0, 24);
         let stroke = Stroke::new(I24F8::from_bits(width));
-        let corners: Vec<PointFx> =
-            stroke.of_polyline(&vertices(&[a, b]), false, window).next().expect("a side").collect();
-        let [p, _, _, q] = corners[..] else { panic!("{corners:?}") };
+        // The first line goes across, from the left to the right, perhaps by the middle.
+        let corners = polyline_lines(&vertices(&[a, b]), false, &stroke.with_min_width(px(0)), window);
+        let (q, middle) = corners[0];
+        let p = if middle == PointFx::from_bits(a.0, a.1) && width > 0 { corners[1].1 } else { middle };
         let bits = |v: PointFx| (i128::from(v.x.to_bits()), i128::from(v.y.to_bits()));
         // The thickness is `across / |d|`.
         let ((px, py), (qx, qy)) = (bits(p), bits(q));
@@ -304,34 +324,44 @@ fn work_depends_on_the_window() {
         let path = segments(&random_path(&mut rng, Scale::Ends, 1));
         let pen = Pen { width: 1000, ..random_pen(&mut rng, 1000) };
         let window = Rect::new(0, 0, 48, 40);
-        most = most.max(stroke(pen).of_path(Path::new(&path), window).count());
+        let mut count = 0;
+        thick::border(Path::new(&path), &stroke(pen), window, |_, _| count += 1);
+        most = most.max(count);
     }
-    assert!(most < 400, "{most} pieces for a window");
+    assert!(most < 1_200, "{most} lines for a window");
 }
 
+/// Where sides meet, nothing goes across, and the inner side of the corner is cut short.
 #[test]
-fn vertices_of_pieces() {
-    let pieces = |cap, join| -> Vec<Vec<PointFx>> {
+fn lines_of_a_border() {
+    let lines = |cap, join| {
         let corner = [PointFx::px(0, 0), PointFx::px(10, 0), PointFx::px(10, 10)];
         let stroke = Stroke::px(2).with_cap(cap).with_join(join);
-        stroke.of_polyline(&corner, false, Rect::new(0, 0, 20, 20)).map(Iterator::collect).collect()
+        polyline_lines(&corner, false, &stroke, Rect::new(0, 0, 20, 20))
     };
-    let px = |list: &[(i32, i32)]| list.iter().map(|&(x, y)| PointFx::px(x, y)).collect::<Vec<_>>();
-    let (first, second) = (px(&[(0, 1), (10, 1), (10, -1), (0, -1)]), px(&[(9, 0), (9, 10), (11, 10), (11, 0)]));
-    assert_eq!(pieces(Cap::Butt, Join::Bevel), [first.clone(), px(&[(10, 0), (11, 0), (10, -1)]), second.clone()]);
-    let miter = px(&[(10, 0), (11, 0), (11, -1), (10, -1)]);
-    assert_eq!(pieces(Cap::Butt, Join::Miter), [first.clone(), miter.clone(), second.clone()]);
-    let caps = [px(&[(0, -1), (-1, -1), (-1, 1), (0, 1)]), px(&[(9, 10), (9, 11), (11, 11), (11, 10)])];
-    assert_eq!(pieces(Cap::Square, Join::Miter), [caps[0].clone(), first, miter, second, caps[1].clone()]);
+    let px = |list: &[(i32, i32)]| -> Vec<(PointFx, PointFx)> {
+        list.chunks(2).map(|ends| (PointFx::px(ends[0].0, ends[0].1), PointFx::px(ends[1].0, ends[1].1))).collect()
+    };
+    let start = px(&[(0, -1), (0, 1)]);
+    let first = px(&[(0, 1), (10, 1), (10, -1), (0, -1)]);
+    let second = px(&[(10, 1), (9, 0), (9, 0), (9, 10), (11, 10), (11, 0)]);
+    let end = px(&[(9, 10), (11, 10)]);
+    let bevel = px(&[(11, 0), (10, -1)]);
+    let all = |start: &[_], join: &[_], end: &[_]| [start, &first, join, &second, end].concat();
+    assert_eq!(lines(Cap::Butt, Join::Bevel), all(&start, &bevel, &end));
+    let miter = px(&[(11, 0), (11, -1), (11, -1), (10, -1)]);
+    assert_eq!(lines(Cap::Butt, Join::Miter), all(&start, &miter, &end));
+    let caps = [
+        px(&[(0, -1), (-1, -1), (-1, -1), (-1, 1), (-1, 1), (0, 1)]),
+        px(&[(9, 10), (9, 11), (9, 11), (11, 11), (11, 11), (11, 10)]),
+    ];
+    assert_eq!(lines(Cap::Square, Join::Miter), all(&caps[0], &miter, &caps[1]));
 }
 
 fn dashed_pixels(pieces: &[Piece], pen: Pen, pattern: &Pattern, window: Rect) -> Vec<Run> {
     let path = segments(pieces);
     let lengths: Vec<I24F8> = pattern.lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
-    let stroke = stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase));
-    let parts = stroke.of_path(Path::new(&path), window);
-    let mut table = vec![EdgeSlot::EMPTY; parts.clone().map(Iterator::count).sum()];
-    collect(window, |emit| polygon::fill(parts, FillRule::NonZero, &mut table, window, emit).expect("enough slots"))
+    stroked(Path::new(&path), &stroke(pen).dashed(&lengths, I24F8::from_bits(pattern.phase)), window)
 }
 
 fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {
@@ -350,7 +380,7 @@ fn dashes(scale: Scale, count: usize, (least, most): (i32, i32)) {
         let phase = if rng.one_in(3) { 0 } else { rng.int(-3 * most.min(1 << 29), 3 * most.min(1 << 29)) };
         let pattern = Pattern { lengths, phase };
         let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
-        let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
+        let wanted = twins::polygon(&pen.dashes(&outlines_for(&path, pen.width), &pattern), FillRule::NonZero, window);
         let got = dashed_pixels(&path, pen, &pattern, window);
         assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
         seen += usize::from(!wanted.is_empty());
@@ -388,8 +418,8 @@ fn dashes_beside_the_window_are_skipped() {
         let far = |rng: &mut Rng| rng.pick(&[i32::MIN, i32::MAX, -(1 << 30), 5_000, 1 << 24]);
         let line = [(); 2].map(|()| PointFx::from_bits(far(&mut rng), far(&mut rng)));
         let stroke = Stroke::px(3).dashed(&lengths, I24F8::ZERO);
-        let count = stroke.of_polyline(&line, false, window).count();
-        assert!(count < 16 * 150, "{count} pieces of {line:?}");
+        let count = polyline_lines(&line, false, &stroke, window).len();
+        assert!(count < 4 * 16 * 150, "{count} lines of {line:?}");
     }
 }
 
@@ -426,7 +456,7 @@ fn skipped_dashes_move_nothing() {
         let any = rng.int(i32::MIN, i32::MAX);
         let pattern = Pattern { lengths, phase: rng.pick(&[0, 1, -1, i32::MIN, i32::MAX, any, any]) };
         let window = window_on(&mut rng, &all[..all.len().max(2) - 1]);
-        let wanted = dashes_near(&outlines(&path), pen, &pattern, window);
+        let wanted = dashes_near(&outlines_for(&path, pen.width), pen, &pattern, window);
         let got = dashed_pixels(&path, pen, &pattern, window);
         assert_runs(window, &got, &wanted, || format!("{pattern:?} {pen:?} {path:?}"));
         seen += usize::from(!wanted.is_empty());
@@ -480,7 +510,7 @@ fn dashes_that_end_out_of_sight() {
     let pen = Pen { width: 793, cap: Cap::Butt, join: Join::Bevel, limit: 2560 };
     let pattern = Pattern { lengths: vec![892, 892, 900, 900], phase: 5040 };
     let window = Rect::new(5376, 640, 5385, 654);
-    let wanted = twins::polygon(&pen.dashes(&outlines(&path), &pattern), FillRule::NonZero, window);
+    let wanted = twins::polygon(&pen.dashes(&outlines_for(&path, pen.width), &pattern), FillRule::NonZero, window);
     assert_runs(window, &dashed_pixels(&path, pen, &pattern, window), &wanted, || "dashes".into());
 }
 
@@ -493,21 +523,19 @@ fn a_miter_limit_widens_nothing_but_tips() {
     let limits = [4 << 8, 16 << 8, 255 << 8, 0xffff, i32::MAX];
     let dashes = [I24F8::from_num(6), I24F8::from_num(4)];
     let line = [PointFx::px(-4_000, -3_000), PointFx::px(4_000, 3_000)];
-    let pieces = |limit: i32| stroke(limit).dashed(&dashes, I24F8::ZERO).of_polyline(&line, false, window).count();
+    let lines = |limit: i32| polyline_lines(&line, false, &stroke(limit).dashed(&dashes, I24F8::ZERO), window).len();
     let slots = |limit: i32| {
         let (stroke, mut table) = (stroke(limit).dashed(&dashes, I24F8::ZERO), [EdgeSlot::EMPTY; 200]);
         thick::fill_polyline(&line, false, &stroke, &mut table, window, |_: ClippedSpan| {})
     };
     for limit in limits {
-        assert_eq!(pieces(limit), pieces(256), "pieces at limit {limit}");
+        assert_eq!(lines(limit), lines(256), "lines at limit {limit}");
         assert_eq!(slots(limit), Ok(()), "200 slots at limit {limit}");
     }
     // Right angles far outside: tips of less than 36 pixels, whatever the limit allows.
     let zigzag: Vec<PointFx> = (0..10_000).map(|i| PointFx::px(500 + 20 * (i % 2), 20 * (i % 12))).collect();
     for limit in limits {
-        assert_eq!(
-            Stroke::px(3).with_miter_limit(I24F8::from_bits(limit)).of_polyline(&zigzag, false, window).count(),
-            0
-        );
+        let stroke = Stroke::px(3).with_miter_limit(I24F8::from_bits(limit));
+        assert_eq!(polyline_lines(&zigzag, false, &stroke, window), []);
     }
 }

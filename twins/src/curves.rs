@@ -41,10 +41,81 @@ pub struct Outline {
     pub smooth: Vec<bool>,
     /// Whether the last is joined to the first.
     pub closed: bool,
+    /// For each vertex the part of a curve that ends there, if it is of interest.
+    pub parts: Vec<Option<Part>>,
 }
+
+/// A part of a curve, between two times.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The control points of the curve.
+    pub points: Vec<Units>,
+    /// When it begins, in units of 2^-20.
+    pub from: i128,
+    /// When it ends.
+    pub to: i128,
+}
+
+impl Part {
+    /// Which way the curve goes at a time: its derivative, in units of 2^-8, rounded towards zero; or the first that is not 0 of the
+    /// second one, which before that time counts backwards, and the third.
+    pub fn way(&self, time: i128, before: bool) -> (i128, i128) {
+        let ([a, b, c], [d, e, f]) = (self.powers(|p| p.0), self.powers(|p| p.1));
+        let slope = |a: i128, b: i128, c: i128| (3 * a * time * time + 2 * b * time * END + c * END * END) / (1 << 32);
+        let bend = |a: i128, b: i128| if before { -3 * a * time - b * END } else { 3 * a * time + b * END };
+        let ways = [(slope(a, b, c), slope(d, e, f)), (bend(a, b), bend(d, e)), (a, d)];
+        ways.into_iter().find(|&way| way != (0, 0)).unwrap_or((0, 0))
+    }
+
+    /// Which way it goes beside a place, as seen along a vector of 30 bits.
+    pub fn way_beside(&self, place: Units, along: (i128, i128)) -> (i128, i128) {
+        let (mut from, mut to) = (self.from, self.to);
+        for _ in 0..12 {
+            let middle = (from + to) / 2;
+            let at = point(&self.points, middle);
+            let product = |n: i32, m: i32, u: i128| (i128::from(n) - i128::from(m)) * u.div_euclid(4);
+            if product(at.0, place.0, along.0) + product(at.1, place.1, along.1) < 0 {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        self.way(to, true)
+    }
+
+    /// How much longer than its chord, of so many units, it is, in 2^-16 pixel.
+    pub fn excess(&self, length: i128) -> i128 {
+        if length == 0 || length >= 1 << 32 {
+            return 0;
+        }
+        let [u, v] = bends(&self.points, self.from, self.to);
+        let (a, b) = (point(&self.points, self.from), point(&self.points, self.to));
+        let c = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+        let bend = (((u.0 + v.0) * c.1 - (u.1 + v.1) * c.0).abs() * 8 / length).min(0xffff);
+        bend * bend / (6 * length).min(u32::MAX.into())
+    }
+
+    /// One coordinate as `((a t + b) t + c) t + d`, without d.
+    fn powers(&self, coordinate: fn(&Units) -> i32) -> [i128; 3] {
+        let p: Vec<i128> = self.points.iter().map(|p| i128::from(coordinate(p))).collect();
+        match p[..] {
+            [p, q, r] => [0, p - 2 * q + r, 2 * (q - p)],
+            [p, q, r, s] => [s - 3 * r + 3 * q - p, 3 * (p - 2 * q + r), 3 * (q - p)],
+            _ => panic!("{p:?}"),
+        }
+    }
+}
+
+/// Strokes up to this width are thin: their sides are straight, but for the ends of curves.
+pub const THIN: i32 = 320;
 
 /// The contours of a path, curves flattened.
 pub fn outlines(pieces: &[Piece]) -> Vec<Outline> {
+    outlines_for(pieces, 0)
+}
+
+/// The same for a stroke of this width.
+pub fn outlines_for(pieces: &[Piece], width: i32) -> Vec<Outline> {
     let mut all = vec![];
     let mut start = (0, 0);
     let mut open: Option<Outline> = None;
@@ -54,7 +125,12 @@ pub fn outlines(pieces: &[Piece]) -> Vec<Outline> {
             start = *to;
             continue;
         }
-        let outline = open.get_or_insert_with(|| Outline { places: vec![start], smooth: vec![false], closed: false });
+        let outline = open.get_or_insert_with(|| Outline {
+            places: vec![start],
+            smooth: vec![false],
+            closed: false,
+            parts: vec![None],
+        });
         let from = *outline.places.last().expect("it has a start");
         let points = match *piece {
             Piece::Line(a) => vec![from, a],
@@ -66,7 +142,16 @@ pub fn outlines(pieces: &[Piece]) -> Vec<Outline> {
                 continue;
             }
         };
-        let places = if points.len() == 2 { vec![points[1]] } else { flattened(&points) };
+        let places = if points.len() == 2 {
+            outline.parts.push(None);
+            vec![points[1]]
+        } else {
+            let times = times_for(&points, width);
+            let starts = [0].iter().chain(&times);
+            let part = |(&from, &to): (&i128, &i128)| Part { points: points.clone(), from, to };
+            outline.parts.extend(starts.zip(&times).map(|ends| (width != 0).then(|| part(ends))));
+            times.into_iter().map(|t| point(&points, t)).collect()
+        };
         let last = places.len() - 1;
         outline.smooth.extend((0..places.len()).map(|i| i != last));
         outline.places.extend(places);
@@ -80,25 +165,32 @@ pub const END: i128 = 1 << 20;
 
 /// The times, in units of 2^-20, at which the pieces of a curve end.
 pub fn times(points: &[Units]) -> Vec<i128> {
+    times_for(points, 0)
+}
+
+/// The same for a stroke of this width, unless it is 0.
+pub fn times_for(points: &[Units], width: i32) -> Vec<i128> {
     let mut all = vec![];
-    halve(points, 0, END, &mut all);
+    halve(points, (0, END), width, &mut all);
     all
 }
 
-fn halve(points: &[Units], from: i128, to: i128, all: &mut Vec<i128>) {
-    match parts(points, from, to) {
+fn halve(points: &[Units], (from, to): (i128, i128), width: i32, all: &mut Vec<i128>) {
+    let pieces =
+        if width == 0 { parts(points, from, to) } else { is_flat_beside(points, (from, to), width).then_some(1) };
+    match pieces {
         None => {
             let middle = from + (to - from) / 2;
-            halve(points, from, middle, all);
-            halve(points, middle, to, all);
+            halve(points, (from, middle), width, all);
+            halve(points, (middle, to), width, all);
         }
         // To the nearest; there is no half.
         Some(m) => all.extend((1..=m).map(|i| from + (2 * i * (to - from) + m) / (2 * m))),
     }
 }
 
-/// How many pieces of equal time a part of a curve is cut into, as `geom::flatten` tells; `None` if it is halved instead.
-fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
+/// `h^2 P''/2` at one and two thirds of a part of a curve, rounded down.
+fn bends(points: &[Units], from: i128, to: i128) -> [(i128, i128); 2] {
     let length = to - from;
     // Of h^2 P''/2, at a time in units of 2^-20 / 3.
     let bend = |time: i128, coordinate: fn(&Units) -> i32| {
@@ -109,17 +201,63 @@ fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
             if p.len() == 3 { 3 * END * second(0) } else { 3 * ((3 * END - time) * second(0) + time * second(1)) };
         (half * length * length).div_euclid(3 * END * END * END)
     };
-    let is_small = |w: &(i128, i128)| [w.0, w.1].iter().all(|n| (-(1 << 15)..1 << 15).contains(n));
-    let [u, v] = [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)));
-    if !is_small(&u) || !is_small(&v) {
-        return None;
-    }
+    [3 * from + length, 3 * from + 2 * length].map(|time| (bend(time, |p| p.0), bend(time, |p| p.1)))
+}
+
+/// Whether the coordinates of a bend fit 16 bits.
+fn is_small(w: &(i128, i128)) -> bool {
+    [w.0, w.1].iter().all(|n| (-(1 << 15)..1 << 15).contains(n))
+}
+
+/// The chord of a part, halved until it fits 15 bits and a sign, and its factor.
+fn chord(points: &[Units], from: i128, to: i128) -> ((i128, i128), i128) {
     let (a, b) = (point(points, from), point(points, to));
     let mut chord = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
     let mut scale = 1;
     while chord.0.abs().max(chord.1.abs()) >= 1 << 15 {
         (chord, scale) = ((chord.0 / 2, chord.1 / 2), 2 * scale);
     }
+    (chord, scale)
+}
+
+/// Whether a part of a curve is flat, and the borders of a stroke beside it.
+fn is_flat_beside(points: &[Units], (from, to): (i128, i128), width: i32) -> bool {
+    let [u, v] = bends(points, from, to);
+    if !is_small(&u) || !is_small(&v) {
+        return false;
+    }
+    if [u, v].iter().all(|w| w.0 * w.0 + w.1 * w.1 <= 64) {
+        return true;
+    }
+    let (c, scale) = chord(points, from, to);
+    let square = c.0 * c.0 + c.1 * c.1;
+    let is_along = |w: (i128, i128)| (w.0 * c.0 + w.1 * c.1).abs() / scale <= square;
+    let across = |w: (i128, i128)| (w.0 * c.1 - w.1 * c.0).abs();
+    if square == 0 || !is_along(u) || !is_along(v) {
+        return false;
+    }
+    let width_wide = i128::from(width);
+    let signed = |w: (i128, i128)| w.0 * c.1 - w.1 * c.0;
+    let [p, q] = [signed((2 * u.0 - v.0, 2 * u.1 - v.1)), signed((2 * v.0 - u.0, 2 * v.1 - u.1))];
+    let is_sharp = p.abs().max(q.abs()) * width_wide / (scale * scale) >= c.0.abs().max(c.1.abs()) * square;
+    if is_sharp && (p - q).abs() * width_wide / scale > 192 * square {
+        return false;
+    }
+    let turn = (across((2 * u.0 - v.0, 2 * u.1 - v.1)) + across((2 * v.0 - u.0, 2 * v.1 - u.1))) * 4096 / scale;
+    if turn >= square * 4096 {
+        return false;
+    }
+    let rest = 128 - (turn / square).pow(2) * i128::from(width) / if width <= THIN { 1 << 22 } else { 1 << 26 };
+    rest >= 32 && [u, v].iter().all(|&w| across(w).pow(2) <= rest.pow(2) * square)
+}
+
+/// How many pieces of equal time a part of a curve is cut into, as `geom::flatten` tells; `None` if it is halved instead.
+fn parts(points: &[Units], from: i128, to: i128) -> Option<i128> {
+    let [u, v] = bends(points, from, to);
+    if !is_small(&u) || !is_small(&v) {
+        return None;
+    }
+    let (chord, scale) = chord(points, from, to);
     let square = chord.0 * chord.0 + chord.1 * chord.1;
     let four_d = 4 * 32;
     let cross = |w: (i128, i128)| w.0 * chord.1 - w.1 * chord.0;

@@ -31,6 +31,7 @@ pub mod letters;
 pub mod lines;
 pub mod memory;
 pub mod meshes;
+pub mod offsets;
 pub mod outlines;
 pub mod planes;
 pub mod rng;

@@ -2,7 +2,10 @@
 
 use embedded_raster::{Cap, Join};
 
-use super::{curves::Outline, Units};
+use super::{
+    curves::{Outline, Part, END, THIN},
+    Units,
+};
 
 /// A stroke in plain numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -26,9 +29,13 @@ fn div_up(n: i128, d: i128) -> i128 {
     -(-n).div_euclid(d)
 }
 
-/// The scaled difference and its length.
-fn scaled(a: Units, b: Units) -> (i128, i128, i128) {
-    let (mut x, mut y) = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+/// From one place to another.
+fn between(a: Units, b: Units) -> (i128, i128) {
+    (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1))
+}
+
+/// A scaled vector and its length.
+fn scaled((mut x, mut y): (i128, i128)) -> (i128, i128, i128) {
     while x.abs().max(y.abs()) < ONE {
         (x, y) = (2 * x, 2 * y);
     }
@@ -40,15 +47,20 @@ fn scaled(a: Units, b: Units) -> (i128, i128, i128) {
 
 /// The direction of a side, its components rounded away from zero.
 pub fn direction(a: Units, b: Units) -> Unit {
-    let (x, y, length) = scaled(a, b);
+    direction_of(between(a, b))
+}
+
+/// The direction of a vector.
+fn direction_of(vector: (i128, i128)) -> Unit {
+    let (x, y, length) = scaled(vector);
     let share = |n: i128| n.signum() * div_up(n.abs() * ONE, length);
     (share(x), share(y))
 }
 
 /// The length of a side in 2^-16 pixel.
 pub fn length(a: Units, b: Units) -> i128 {
-    let (x, y, length) = scaled(a, b);
-    let d = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
+    let d = between(a, b);
+    let (x, y, length) = scaled(d);
     // By how much it was scaled: exact, but where a bit was lost.
     let (scaled, plain) = if x.abs() >= y.abs() { (x.abs(), d.0.abs()) } else { (y.abs(), d.1.abs()) };
     if plain > scaled {
@@ -84,7 +96,7 @@ impl Pen {
 
     /// Cosine and sine of the turn of fans.
     fn turn(&self) -> Unit {
-        let j = (3..11).find(|j| 12 << (2 * j) >= i64::from(self.width)).unwrap_or(11);
+        let j = (3..11).find(|j| 3 << (2 * j) >= i64::from(self.width)).unwrap_or(11);
         let angle = core::f64::consts::TAU / f64::from(1 << j);
         ((angle.cos() * ONE as f64).round() as i128, (angle.sin() * ONE as f64).round() as i128)
     }
@@ -134,29 +146,59 @@ impl Pen {
             Cap::Square => {
                 let (right, left, ahead) = (self.half(r), self.half(l), self.half(u));
                 let sum = |o: Unit| (o.0 + ahead.0, o.1 + ahead.1);
-                Some(Self::at(v, &[right, sum(right), sum(left), left]))
+                Some(Self::at(v, &[(0, 0), right, sum(right), sum(left), left]))
             }
         }
     }
 
-    /// What fills the gap between two sides, if there is one.
-    pub fn join(&self, v: Units, last: Unit, next: Unit, smooth: bool) -> Option<Vec<Units>> {
+    /// What fills the gap between two sides, if there is one. `turns`: with what the pen sweeps over on the inner side.
+    pub fn join(&self, v: Units, last: Unit, next: Unit, turns: bool) -> Vec<Vec<Units>> {
         let turn = cross(last, next);
         if turn == 0 && dot(last, next) > 0 {
-            return None;
+            return vec![];
         }
-        let join = if smooth { Join::Round } else { self.join };
-        Some(if turn > 0 {
-            self.wedge(v, back(right(next)), back(right(last)), join)
-        } else {
-            self.wedge(v, right(last), right(next), join)
-        })
+        let join = if turns { Join::Round } else { self.join };
+        let (from, to) = if turn > 0 { (back(right(next)), back(right(last))) } else { (right(last), right(next)) };
+        let mut parts = vec![self.wedge(v, from, to, join)];
+        if turns {
+            parts.push(self.wedge(v, back(from), back(to), join));
+        }
+        parts
     }
 
-    /// A side, as wide as the pen.
-    pub fn side(&self, a: Units, b: Units, u: Unit) -> Vec<Units> {
-        let (r, l) = (self.half(right(u)), self.half(back(right(u))));
-        [Self::at(a, &[r]), Self::at(b, &[r, l]), Self::at(a, &[l])].concat()
+    /// A side, as wide as the pen, which goes these ways at its ends.
+    pub fn side(&self, a: Units, b: Units, [u, v]: [Unit; 2]) -> Vec<Vec<Units>> {
+        let turns = ((ONE * ONE - dot(u, v)).max(0) / ONE) * i128::from(self.width) > 256 * ONE;
+        if (turns || self.width <= THIN && u != v) && a != b {
+            let chord = direction(a, b);
+            return [self.join(a, u, chord, true), self.side(a, b, [chord; 2]), self.join(b, chord, v, true)].concat();
+        }
+        let (r, s) = (self.half(right(u)), self.half(right(v)));
+        let [right, left] = [r, back(r)].map(|o| Self::at(a, &[o])[0]);
+        let [right_end, left_end] = [s, back(s)].map(|o| Self::at(b, &[o])[0]);
+        let mut parts = vec![vec![a, right, right_end, b, left_end, left]];
+        // Where both ends cross, what lies behind is turned over: once back, twice more.
+        let chord = between(a, b);
+        let (along, behind, turn) = (cross(chord, s), cross(chord, r), cross(r, s));
+        if along.abs() < turn.abs() && behind.abs() < turn.abs() && (along < 0) == (behind < 0) {
+            let is_right = (along < 0) == (turn < 0);
+            let mut scale = 1;
+            while turn.abs() / scale >= 1 << 31 {
+                scale *= 2;
+            }
+            let before = |share: i128, v: Units, o: Unit| {
+                let share = (share.abs() - 2 * i128::from(self.width)).max(0);
+                let share = ((share / scale) << 31) / (turn.abs() / scale);
+                let o = if is_right { o } else { back(o) };
+                Self::at(v, &[((share * o.0) >> 31, (share * o.1) >> 31)])[0]
+            };
+            let (p, q) = (before(along, a, r), before(behind, b, s));
+            let middle = |p: i32, q: i32| ((i64::from(p) + i64::from(q)) >> 1) as i32;
+            let apex = (middle(p.0, q.0), middle(p.1, q.1));
+            let (from, to) = if is_right { (right_end, right) } else { (left, left_end) };
+            parts.extend([vec![apex, from, to], vec![apex, from, to]]);
+        }
+        parts
     }
 
     /// The pieces of contours.
@@ -166,52 +208,106 @@ impl Pen {
 
     fn contour(&self, outline: &Outline) -> Vec<Vec<Units>> {
         let Some(&start) = outline.places.first() else { return vec![] };
-        let sides = sides(outline);
-        let (Some(first), Some(last)) = (sides.first(), sides.last()) else {
-            return [(ONE, 0), (-ONE, 0)].into_iter().filter_map(|u| self.cap(start, u)).collect();
-        };
-        let mut parts = vec![];
-        for (i, side) in sides.iter().enumerate() {
-            if i > 0 {
-                parts.extend(self.join(side.a, sides[i - 1].u, side.u, side.smooth));
-            }
-            parts.push(self.side(side.a, side.b, side.u));
+        let sides = sides(outline, self.width <= THIN);
+        if sides.is_empty() {
+            return match self.cap {
+                Cap::Round => self.disc(start),
+                _ => [(ONE, 0), (-ONE, 0)].into_iter().filter_map(|u| self.cap(start, u)).collect(),
+            };
         }
-        if outline.closed {
-            parts.extend(self.join(start, last.u, first.u, false));
-        } else {
-            parts.extend(self.cap(first.a, back(first.u)));
-            parts.extend(self.cap(last.b, last.u));
+        let ends = if outline.closed { Ends::Joined } else { Ends::Capped };
+        self.run(&sides, ends)
+    }
+
+    /// A circle: on each row of pixels, whose centre is not farther away than half a width, what lies between both crossings.
+    fn disc(&self, (x, y): Units) -> Vec<Vec<Units>> {
+        let (x, y, width) = (i128::from(x), i128::from(y), i128::from(self.width));
+        let (first, end) = ((y - width / 2).div_euclid(256) - 1, (y + width / 2).div_euclid(256) + 2);
+        let closed = x % 128 == 0 && y % 128 == 0;
+        let mut rows = vec![];
+        for row in first..end {
+            let centre = 256 * row + 128;
+            let square = width * width - 4 * (centre - y) * (centre - y);
+            if square < 0 {
+                continue;
+            }
+            // Twice the distance of each place of a row from the middle is at most the root.
+            let reach = square.isqrt() / 2;
+            let more = i128::from(closed || 4 * reach * reach != square);
+            let corners = [
+                (x - reach, centre),
+                (x - reach, centre + 1),
+                (x + reach + more, centre + 1),
+                (x + reach + more, centre),
+            ];
+            rows.push(Self::at((0, 0), &corners));
+        }
+        rows
+    }
+
+    /// The pieces of sides that follow each other.
+    fn run(&self, sides: &[Side], ends: Ends) -> Vec<Vec<Units>> {
+        let (Some(first), Some(last)) = (sides.first(), sides.last()) else { return vec![] };
+        let mut parts: Vec<_> = sides.iter().flat_map(|side| self.side(side.a, side.b, side.ways)).collect();
+        parts.extend(sides.windows(2).flat_map(|s| self.join(s[1].a, s[0].ways[1], s[1].ways[0], s[1].smooth)));
+        match ends {
+            Ends::Joined => parts.extend(self.join(first.a, last.ways[1], first.ways[0], false)),
+            Ends::Capped => {
+                parts.extend(self.cap(first.a, back(first.ways[0])));
+                parts.extend(self.cap(last.b, last.ways[1]));
+            }
         }
         parts
     }
 }
 
+/// What is at both ends of sides.
+#[derive(Copy, Clone)]
+enum Ends {
+    Capped,
+    Joined,
+}
+
 /// A side of a contour that has a length.
+#[derive(Clone)]
 pub struct Side {
     /// Where it starts.
     pub a: Units,
     /// Where it ends.
     pub b: Units,
-    /// Its direction.
-    pub u: Unit,
+    /// The direction at both ends.
+    pub ways: [Unit; 2],
     /// At `a`.
     pub smooth: bool,
+    /// What it is of a curve.
+    pub part: Option<Part>,
 }
 
 /// The sides of a contour that have a length. At a place given several times the path is smooth if it is each time.
-pub fn sides(outline: &Outline) -> Vec<Side> {
-    let mut nodes: Vec<(Units, bool)> = vec![];
-    for (&place, &smooth) in outline.places.iter().zip(&outline.smooth) {
+pub fn sides(outline: &Outline, is_thin: bool) -> Vec<Side> {
+    let mut nodes: Vec<(Units, bool, Option<&Part>)> = vec![];
+    for (i, (&place, &smooth)) in outline.places.iter().zip(&outline.smooth).enumerate() {
         match nodes.last_mut() {
             Some(last) if last.0 == place => last.1 &= smooth,
-            _ => nodes.push((place, smooth)),
+            _ => nodes.push((place, smooth, outline.parts.get(i).and_then(Option::as_ref))),
         }
     }
     if outline.closed && nodes.len() > 1 && nodes[0].0 != nodes[nodes.len() - 1].0 {
-        nodes.push((nodes[0].0, false));
+        nodes.push((nodes[0].0, false, None));
     }
-    nodes.windows(2).map(|n| Side { a: n[0].0, b: n[1].0, u: direction(n[0].0, n[1].0), smooth: n[0].1 }).collect()
+    let side = |n: &[(Units, bool, Option<&Part>)]| {
+        let (a, b, part) = (n[0].0, n[1].0, n[1].2.cloned());
+        let chord = direction(a, b);
+        let way = |part: &Part, (time, before): (i128, bool)| match part.way(time, before) {
+            (0, 0) => chord,
+            _ if is_thin && time != 0 && time != END => chord,
+            way => direction_of(way),
+        };
+        let ways =
+            part.as_ref().map_or([chord; 2], |part| [(part.from, false), (part.to, true)].map(|time| way(part, time)));
+        Side { a, b, ways, smooth: n[0].1, part }
+    };
+    nodes.windows(2).map(side).collect()
 }
 
 /// Lengths on and off, and how far into them a contour starts.
@@ -250,52 +346,74 @@ impl Pen {
                 break;
             }
         }
-        let sides = sides(outline);
+        let sides = sides(outline, self.width <= THIN);
         if sides.is_empty() {
             let dot = if index % 2 == 0 { self.parts(std::slice::from_ref(outline)) } else { vec![] };
             return dot;
         }
-        let (mut parts, mut dash): (Vec<_>, Vec<Side>) = (vec![], vec![]);
+        let starts_on = outline.closed && index % 2 == 0;
+        let (mut dashes, mut dash): (Vec<Vec<Side>>, Vec<Side>) = (vec![], vec![]);
+        // Whether a dash ended where the last side did.
+        let mut goes_on = false;
         for side in sides {
-            let length = length(side.a, side.b);
+            let straight = length(side.a, side.b);
+            let length = straight + side.part.as_ref().map_or(0, |part| part.excess(straight >> 8));
+            let u = if side.ways[0] == side.ways[1] { side.ways[0] } else { direction(side.a, side.b) };
             let place = |s: i128| {
                 let along = |from: i32, u: i128| {
                     let n = u.abs() * s;
                     let distance = (2 * n + (1 << 38)) >> 39;
                     (i128::from(from) + u.signum() * distance).clamp(i32::MIN.into(), i32::MAX.into()) as i32
                 };
-                if s == length {
+                if s >= straight {
                     side.b
                 } else {
-                    (along(side.a.0, side.u.0), along(side.a.1, side.u.1))
+                    (along(side.a.0, u.0), along(side.a.1, u.1))
                 }
+            };
+            let way = |s: i128| match &side.part {
+                _ if s == 0 => side.ways[0],
+                Some(part) if side.ways[0] != side.ways[1] && s != length => match part.way_beside(place(s), u) {
+                    (0, 0) => u,
+                    way => direction_of(way),
+                },
+                _ => side.ways[1],
             };
             let mut s = 0;
             while s < length {
                 let end = reach.min(length);
                 if index % 2 == 0 {
-                    dash.push(Side { a: place(s), b: place(end), u: side.u, smooth: s == 0 && side.smooth });
+                    let (a, b, smooth) = (place(s), place(end), s == 0 && side.smooth);
+                    dash.push(Side { a, b, ways: [way(s), way(end)], smooth, part: None });
                 }
                 s = end;
+                goes_on = s == reach && index % 2 == 0;
                 if s == reach {
-                    parts.extend(self.one_dash(&dash));
-                    dash.clear();
+                    if index % 2 == 0 {
+                        dashes.push(std::mem::take(&mut dash));
+                    }
                     index = (index + 1) % lengths.len();
                     reach += lengths[index];
                 }
             }
             reach -= length;
         }
-        parts.extend(self.one_dash(&dash));
-        parts
-    }
-
-    fn one_dash(&self, sides: &[Side]) -> Vec<Vec<Units>> {
-        let (Some(first), Some(last)) = (sides.first(), sides.last()) else { return vec![] };
-        let mut parts: Vec<_> = sides.iter().map(|side| self.side(side.a, side.b, side.u)).collect();
-        parts.extend(sides.windows(2).filter_map(|s| self.join(s[1].a, s[0].u, s[1].u, s[1].smooth)));
-        parts.extend(self.cap(first.a, back(first.u)));
-        parts.extend(self.cap(last.b, last.u));
+        let mut parts = vec![];
+        if goes_on && dash.is_empty() {
+            dash = dashes.pop().unwrap_or_default();
+        }
+        // A ring that is on at both ends has no end there.
+        if starts_on && !dash.is_empty() {
+            let whole = dashes.is_empty();
+            if !whole {
+                dash.append(&mut dashes[0]);
+                dashes[0] = vec![];
+            }
+            parts.extend(self.run(&dash, if whole { Ends::Joined } else { Ends::Capped }));
+        } else {
+            parts.extend(self.run(&dash, Ends::Capped));
+        }
+        parts.extend(dashes.iter().flat_map(|dash| self.run(dash, Ends::Capped)));
         parts
     }
 }

@@ -4,7 +4,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Line, PrimitiveStyle},
 };
-use embedded_raster::{raster::polygon, Canvas, Cap, ClippedSpan, EdgeSlot, FillRule::NonZero, Join, Stroke};
+use embedded_raster::{raster::stroke, Canvas, Cap, ClippedSpan, EdgeSlot, Join, Stroke};
 use tiny_skia::{LineCap, LineJoin};
 
 use super::{entry, ink, own, peers, plain, Entry, Origin};
@@ -20,19 +20,13 @@ pub(crate) fn entries() -> Vec<Entry<Thick>> {
     use Origin::{Crate, Peer, Textbook};
     let mut table = vec![EdgeSlot::EMPTY; TABLE];
     let mut exact = move |f: &mut Frame, t: &Thick| {
-        let pieces = style(t).of_polyline(&t.vertices, false, WINDOW);
-        polygon::fill(pieces, NonZero, &mut table, WINDOW, |s: ClippedSpan| f.span(s))
+        stroke::fill_polyline(&t.vertices, false, &style(t), &mut table, WINDOW, |s: ClippedSpan| f.span(s))
             .expect("the table is large enough");
     };
     let mut scratch = vec![EdgeSlot::EMPTY; TABLE];
     let mut entries = vec![
         entry("distance", "distance in f32, per pixel", Textbook, plain(|f, t: &Thick| by_distance(f, t))),
-        entry(
-            "pieces",
-            "pieces: `Stroke::of_polyline`, `polygon::fill`",
-            Crate,
-            plain(move |f, t: &Thick| exact(f, t)),
-        ),
+        entry("pieces", "spans: `stroke::fill_polyline`", Crate, plain(move |f, t: &Thick| exact(f, t))),
         entry(
             "canvas",
             "`Canvas::stroke_polyline_fx`",

@@ -74,7 +74,7 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    fill_bands(|_| contours.clone(), rule, (table, cells), window, sink)
+    fill_sides(&|_, loader| loader.contours(contours.clone()), rule, (table, cells), window, sink)
 }
 
 /// A box that encloses the pixels that a polygon touches.
@@ -102,20 +102,15 @@ where
     Rect { x0: low.0 >> 8, y0: low.1 >> 8, x1: end(high.0), y1: end(high.1) }
 }
 
-/// As [`fill`]. The contours are asked for by the part of the window that they are to be filled in: they may lack whatever does
-/// not touch its rows.
-pub(crate) fn fill_bands<C>(
-    contours: impl Fn(Rect) -> C,
+/// As [`fill`], for sides that come in any order: as often as a row is crossed downwards, it is crossed upwards too. They are asked
+/// for by the part of the window that they are to be filled in: they may lack whatever does not touch its rows.
+pub(crate) fn fill_sides(
+    sides: &dyn Fn(Rect, &mut Loader<'_>),
     rule: FillRule,
     (table, cells): (&mut [CoverageSlot], &mut [i32]),
     window: Rect,
     mut sink: impl Sink,
-) -> Result<(), EdgeTableFull>
-where
-    C: IntoIterator,
-    C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-{
+) -> Result<(), EdgeTableFull> {
     let window = window.intersection(Rect { x0: -PLACES, y0: -PLACES, x1: PLACES, y1: PLACES });
     if window.is_empty() {
         return Ok(());
@@ -131,24 +126,59 @@ where
         table,
         window,
         CHECKED,
-        |band, table| load(contours(band), band, table),
+        |band, table| {
+            let mut loader = Loader::new(band, table);
+            sides(band, &mut loader);
+            loader.loaded
+        },
         |table, loaded| scan(table, loaded, rule, window, &mut strip, &mut sink),
     )
 }
 
 /// Fills the table with the sides that touch the rows of a band, but for those right of it; goes on counting when it is full.
-fn load<C>(contours: C, band: Rect, table: &mut [CoverageSlot]) -> Loaded
-where
-    C: IntoIterator,
-    C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-{
-    #[cfg(test)]
-    crate::num::tally::add(crate::num::tally::Work::Band);
-    let mut loaded = Loaded { count: 0, first: band.y1, end: band.y0 };
-    let mut add = |a: (i32, i32), b: (i32, i32)| {
+pub(crate) struct Loader<'a> {
+    table: &'a mut [CoverageSlot],
+    band: Rect,
+    loaded: Loaded,
+}
+
+impl<'a> Loader<'a> {
+    fn new(band: Rect, table: &'a mut [CoverageSlot]) -> Self {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Band);
+        Self { table, band, loaded: Loaded { count: 0, first: band.y1, end: band.y0 } }
+    }
+
+    /// The side from a to b.
+    #[inline(never)]
+    pub(crate) fn side(&mut self, a: PointFx, b: PointFx) {
+        self.add(bits(a), bits(b));
+    }
+
+    /// Closed contours.
+    pub(crate) fn contours<C>(&mut self, contours: C)
+    where
+        C: IntoIterator,
+        C::Item: IntoIterator,
+        <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+    {
+        for contour in contours {
+            let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
+            let Some(first) = vertices.next() else { continue };
+            let mut last = first;
+            for vertex in vertices {
+                self.add(last, vertex);
+                last = vertex;
+            }
+            self.add(last, first);
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, a: (i32, i32), b: (i32, i32)) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Edge);
+        let (band, loaded) = (self.band, &mut self.loaded);
         let (top, bottom) = (a.1.min(b.1), a.1.max(b.1));
         let (y, last) = ((top >> 8).max(band.y0), last_row(bottom).min(band.y1.wrapping_sub(1)));
         if top == bottom || y > last || a.0.min(b.0) >> 8 >= band.x1 {
@@ -156,22 +186,11 @@ where
         }
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(last.wrapping_add(1));
-        if let Some(slot) = table.get_mut(loaded.count) {
+        if let Some(slot) = self.table.get_mut(loaded.count) {
             slot.put(a, b, y, band);
         }
         loaded.count = loaded.count.wrapping_add(1);
-    };
-    for contour in contours {
-        let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
-        let Some(first) = vertices.next() else { continue };
-        let mut last = first;
-        for vertex in vertices {
-            add(last, vertex);
-            last = vertex;
-        }
-        add(last, first);
     }
-    loaded
 }
 
 /// Sorts the sides by their first row into buckets of `2^shift` rows, fewer buckets than sides, and returns the shift.

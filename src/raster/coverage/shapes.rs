@@ -1,7 +1,7 @@
 //! The coverage of other shapes than polygons: paths, strokes, rectangles, round shapes.
 
 use super::{
-    fill::{fill, fill_bands},
+    fill::{fill, fill_sides, Loader},
     row::Row,
     slot::{last_row, CoverageSlot},
 };
@@ -18,7 +18,7 @@ use crate::{
         ellipse::Ellipse,
         round::Smooth,
         rounded::Radii,
-        stroke::{Dashing, Stroke},
+        stroke::{path_border, polyline_border, Dashing, Stroke},
     },
     span::{Rect, Sink},
 };
@@ -37,7 +37,8 @@ pub fn path(
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
     let segments = path.into_iter();
-    fill_bands(|band| Contours::finely_within(segments.clone(), band), rule, (table, cells), window, sink)
+    let load = |band: Rect, loader: &mut Loader<'_>| loader.contours(Contours::finely_within(segments.clone(), band));
+    fill_sides(&load, rule, (table, cells), window, sink)
 }
 
 /// Tells what a stroked path covers. A pixel in which pieces of the stroke overlap may count what they share twice: see
@@ -55,7 +56,10 @@ pub fn stroke<D: Dashing>(
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
     let segments = path.into_iter();
-    fill_bands(|band| stroke.of_path(segments.clone(), band), FillRule::NonZero, (table, cells), window, sink)
+    let load = |band: Rect, loader: &mut Loader<'_>| {
+        path_border(segments.clone(), stroke, band, &mut |a, b| loader.side(a, b));
+    };
+    fill_sides(&load, FillRule::NonZero, (table, cells), window, sink)
 }
 
 /// Tells what stroked lines cover: from each place to the next, and back to the first one if they are `closed`.
@@ -71,7 +75,10 @@ pub fn stroke_polyline<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    fill_bands(|band| stroke.of_polyline(places, closed, band), FillRule::NonZero, (table, cells), window, sink)
+    let load = |band: Rect, loader: &mut Loader<'_>| {
+        polyline_border(places, closed, stroke, band, &mut |a, b| loader.side(a, b));
+    };
+    fill_sides(&load, FillRule::NonZero, (table, cells), window, sink)
 }
 
 /// Tells what a circle or an ellipse covers. Where it is given by its box it touches the sides of it.

@@ -38,9 +38,9 @@ use core::{borrow::Borrow, cmp::Ordering};
 use super::{
     descend,
     edge::{EdgeSlot, END},
-    edge_slots_of_bands, in_bands,
+    edge_slots_of_sides, in_bands,
     list::get,
-    load, EdgeSlots, Loaded, Waiting, PLACES,
+    EdgeSlots, Loaded, Loader, Waiting, PLACES,
 };
 use crate::{
     error::EdgeTableFull,
@@ -108,10 +108,15 @@ where
     if window.is_empty() {
         return Ok(());
     }
-    let along_rows = |band: Rect, table: &mut [EdgeSlot]| load(contours.clone(), band, table, EdgeSlot::put_exact);
+    let along_rows = |band: Rect, table: &mut [EdgeSlot]| {
+        let mut loader = Loader::<true>::new(band, table);
+        loader.contours(contours.clone());
+        loader.loaded
+    };
     let along_columns = |band: Rect, table: &mut [EdgeSlot]| {
-        let contours = contours.clone().into_iter().map(|contour| contour.into_iter().map(|v| flipped(*v.borrow())));
-        load(contours, band, table, EdgeSlot::put_exact)
+        let mut loader = Loader::<true>::new(band, table);
+        loader.contours(flip(contours.clone()));
+        loader.loaded
     };
     let columns = Rect { x0: window.y0, y0: window.x0, x1: window.y1, y1: window.x1 };
     let is_on = |gap: Gap| drop_out.stubs || goes_on(contours.clone(), gap);
@@ -154,9 +159,18 @@ where
 {
     let columns = Rect { x0: window.y0, y0: window.x0, x1: window.y1, y1: window.x1 };
     let along_rows = super::edge_slots(contours.clone(), wider(window));
-    let flip = |_| contours.clone().into_iter().map(|contour| contour.into_iter().map(|v| flipped(*v.borrow())));
-    let along_columns = edge_slots_of_bands(flip, wider(columns));
+    let along_columns = edge_slots_of_sides(&|_, loader| loader.contours(flip(contours.clone())), wider(columns));
     EdgeSlots { whole: along_rows.whole.max(along_columns.whole), least: along_rows.least.max(along_columns.least) }
+}
+
+/// Contours with x and y exchanged.
+fn flip<C>(contours: C) -> impl Iterator<Item = impl Iterator<Item = PointFx>>
+where
+    C: IntoIterator,
+    C::Item: IntoIterator,
+    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+{
+    contours.into_iter().map(|contour| contour.into_iter().map(|v| flipped(*v.borrow())))
 }
 
 /// A place, with x and y exchanged.

@@ -93,29 +93,28 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    fill_bands(|_| contours.clone(), rule, table, window, sink)
+    fill_sides(&|_, loader| loader.contours(contours.clone()), rule, table, window, sink)
 }
 
-/// As [`fill`]. The contours are asked for by the part of the window that they are to be filled in: they may lack whatever does
-/// not touch its rows.
-pub(crate) fn fill_bands<C>(
-    contours: impl Fn(Rect) -> C,
+/// As [`fill`], for sides that come in any order: as often as a row is crossed downwards, it is crossed upwards too. They are asked
+/// for by the part of the window that they are to be filled in: they may lack whatever does not touch its rows.
+pub(crate) fn fill_sides(
+    sides: &dyn Fn(Rect, &mut Loader<'_>),
     rule: FillRule,
     table: &mut [EdgeSlot],
     window: Rect,
     mut sink: impl Sink,
-) -> Result<(), EdgeTableFull>
-where
-    C: IntoIterator,
-    C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-{
+) -> Result<(), EdgeTableFull> {
     // There are sides in the columns of places only, and no pixel beside them is inside.
     let window = Rect { x1: window.x1.min(PLACES), ..window };
     if window.is_empty() || window.x1 <= -PLACES {
         return Ok(());
     }
-    let load = |band: Rect, table: &mut [EdgeSlot]| load(contours(band), band, table, EdgeSlot::put);
+    let load = |band: Rect, table: &mut [EdgeSlot]| {
+        let mut loader = Loader::new(band, table);
+        sides(band, &mut loader);
+        loader.loaded
+    };
     let scan = |table: &[EdgeSlot], band: &Loaded| scan(table, band, rule, window, &mut sink);
     in_bands(load, table, window, CHECKED, scan)
 }
@@ -162,23 +161,20 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    edge_slots_of_bands(|_| contours.clone(), window)
+    edge_slots_of_sides(&|_, loader| loader.contours(contours.clone()), window)
 }
 
-/// As [`edge_slots`], of contours that are asked for by the part of the window that they are filled in.
-pub(crate) fn edge_slots_of_bands<C>(contours: impl Fn(Rect) -> C, window: Rect) -> EdgeSlots
-where
-    C: IntoIterator,
-    C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-{
+/// As [`edge_slots`], for sides as [`fill_sides`] asks for them.
+pub(crate) fn edge_slots_of_sides(sides: &dyn Fn(Rect, &mut Loader<'_>), window: Rect) -> EdgeSlots {
     let window = Rect { x1: window.x1.min(PLACES), ..window };
     if window.is_empty() || window.x1 <= -PLACES {
         return EdgeSlots::default();
     }
     let count = |y0: i32, y1: i32| {
         let band = Rect { y0, y1, ..window };
-        load(contours(band), band, &mut [], EdgeSlot::put)
+        let mut loader = Loader::new(band, &mut []);
+        sides(band, &mut loader);
+        loader.loaded
     };
     let whole = count(window.y0, window.y1);
     let least = most_of_a_row(whole.first, whole.end, 0, |y0, y1| count(y0, y1).count);
@@ -210,51 +206,72 @@ where
     Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
 }
 
-/// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full.
-/// `put` puts a side into a slot.
-fn load<C>(
-    contours: C,
-    band: Rect,
-    table: &mut [EdgeSlot],
-    put: impl Fn(&mut EdgeSlot, PointFx, PointFx, (i32, i32), bool),
-) -> Loaded
-where
-    C: IntoIterator,
-    C::Item: IntoIterator,
-    <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-{
-    #[cfg(test)]
-    crate::num::tally::add(crate::num::tally::Work::Band);
-    let Rect { y0: top, y1: bottom, .. } = band;
-    // The centres of the last column: what lies right of them has no crossing at or left of a centre. It is a coordinate, though
-    // the product may be 2^31.
-    let right = band.x1.wrapping_mul(256).wrapping_sub(128);
-    let mut loaded = Loaded { count: 0, first: bottom, end: top };
-    let mut add = |(a, ay): (PointFx, i32), (b, by): (PointFx, i32)| {
+/// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full. Where
+/// they are to be `EXACT`, remainders of crossings can be compared.
+pub(crate) struct Loader<'a, const EXACT: bool = false> {
+    table: &'a mut [EdgeSlot],
+    rows: (i32, i32),
+    /// The centres of the last column: what lies right of them has no crossing at or left of a centre.
+    right: i32,
+    loaded: Loaded,
+}
+
+impl<'a, const EXACT: bool> Loader<'a, EXACT> {
+    fn new(band: Rect, table: &'a mut [EdgeSlot]) -> Self {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Band);
+        let Rect { y0: top, y1: bottom, .. } = band;
+        // It is a coordinate, though the product may be 2^31.
+        let right = band.x1.wrapping_mul(256).wrapping_sub(128);
+        Self { table, rows: (top, bottom), right, loaded: Loaded { count: 0, first: bottom, end: top } }
+    }
+
+    /// The side from a to b.
+    #[inline(never)]
+    pub(crate) fn side(&mut self, a: PointFx, b: PointFx) {
+        self.add((a, first_centre_from(bits(a).1)), (b, first_centre_from(bits(b).1)));
+    }
+
+    /// Closed contours.
+    fn contours<C>(&mut self, contours: C)
+    where
+        C: IntoIterator,
+        C::Item: IntoIterator,
+        <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+    {
+        for contour in contours {
+            let mut vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
+            let Some(first) = vertices.next() else { continue };
+            let mut last = first;
+            for vertex in vertices {
+                self.add(last, vertex);
+                last = vertex;
+            }
+            self.add(last, first);
+        }
+    }
+
+    /// A side between two places and the first rows whose centres are not above them.
+    #[inline(always)]
+    fn add(&mut self, (a, ay): (PointFx, i32), (b, by): (PointFx, i32)) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Edge);
-        let (y, end) = (ay.min(by).max(top), ay.max(by).min(bottom));
-        if y >= end || bits(a).0.min(bits(b).0) > right {
+        let (y, end) = (ay.min(by).max(self.rows.0), ay.max(by).min(self.rows.1));
+        if y >= end || bits(a).0.min(bits(b).0) > self.right {
             return;
         }
+        let loaded = &mut self.loaded;
         loaded.first = loaded.first.min(y);
         loaded.end = loaded.end.max(end);
-        if let Some(slot) = table.get_mut(loaded.count) {
-            put(slot, a, b, (y, end), ay < by);
+        if let Some(slot) = self.table.get_mut(loaded.count) {
+            if EXACT {
+                slot.put_exact(a, b, (y, end), ay < by);
+            } else {
+                slot.put(a, b, (y, end), ay < by);
+            }
         }
         loaded.count = loaded.count.wrapping_add(1);
-    };
-    for contour in contours {
-        let mut vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
-        let Some(first) = vertices.next() else { continue };
-        let mut last = first;
-        for vertex in vertices {
-            add(last, vertex);
-            last = vertex;
-        }
-        add(last, first);
     }
-    loaded
 }
 
 /// The edges whose first row is still to come, in buckets of `2^shift` rows.

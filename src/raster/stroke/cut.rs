@@ -1,9 +1,11 @@
-//! [`Dashing`]: how a contour becomes pieces, in one way for solid strokes and in another for dashes.
+//! [`Dashing`]: how a contour becomes the border of a stroke, in one way for solid strokes and in another for dashes.
 
 use super::{
-    pen::{Pen, Piece},
-    sides::{Outline, Pieces, Sides},
+    border::Border,
+    pen::Pen,
+    sides::{follow, Outline},
 };
+use crate::geom::{flatten::THIN, PointFx};
 
 /// What cuts a stroke into dashes, or leaves it alone: `()` or a [`Dash`](super::Dash).
 pub trait Dashing: Cut {}
@@ -12,25 +14,22 @@ impl<D: Cut> Dashing for D {}
 
 /// What [`Dashing`] does, where users of the crate do not see it.
 pub trait Cut: Copy {
-    /// What is the same for all contours.
-    fn ready(self, width: u32) -> impl Ready;
-}
+    /// Whether there are no dashes at all.
+    const IS_SOLID: bool = false;
 
-/// Ready to cut.
-pub trait Ready: Copy {
-    /// The pieces of a contour.
-    fn pieces<O: Outline>(self, outline: O, pen: Pen) -> impl Iterator<Item = Piece> + Clone;
+    /// The border of contours, line by line.
+    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx));
 }
 
 /// No dashes.
 impl Cut for () {
-    #[inline]
-    fn ready(self, _: u32) -> impl Ready {}
-}
+    const IS_SOLID: bool = true;
 
-impl Ready for () {
     #[inline]
-    fn pieces<O: Outline>(self, outline: O, pen: Pen) -> impl Iterator<Item = Piece> + Clone {
-        Pieces::new(Sides::new(outline, pen.sight), pen)
+    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx)) {
+        let mut border = Border::new(pen, each);
+        for outline in contours {
+            follow(outline, pen.sight, pen.width <= THIN, &mut border);
+        }
     }
 }

@@ -7,10 +7,13 @@
 //!      |<phase>|                        =    the pattern starts `phase` before the contour does
 //! ```
 //! **The rule.** The pattern runs along each contour from its start, in units of 2^-16 pixel: a side is as long as
-//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super). The place at a distance s from the start of a side with the
-//! direction u is `a + u s`, rounded to the nearest unit. Between two such places, or the ends of the side, a dash is a side of
+//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super), and a part of a curve by the T^2 / 24th part longer, where it turns by an
+//! angle T. The place at a distance s from the start of a side with the
+//! direction u is `a + u s`, rounded to the nearest unit, or the end of the side. Where the side is a part of a curve, the dash ends at
+//! right angles to the curve there. Between two such places, or the ends of the side, a dash is a side of
 //! the same direction. A pattern with an odd number of lengths counts twice, the second time with on and off exchanged. Negative
-//! lengths count as 0. A pattern that is shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a
+//! lengths count as 0. A dash that goes on to the end of a ring, and one that begins at its start, are one, with a join. A pattern
+//! that is shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a
 //! dot with round caps, and a square with square ones.
 //!
 //! **Work.** A contour that cannot be seen costs a few comparisons a segment, however many dashes it has. Of another one all
@@ -34,14 +37,15 @@ use core::{mem, num::NonZeroU32};
 use fixed::types::I24F8;
 
 use super::{
-    cut::{Cut, Ready},
+    border::Border,
+    cut::Cut,
     direction::{distance, Direction, OVERSHOT},
-    pen::{Event, Pen, Piece, Sight, Start},
-    sides::{Outline, Pieces, Sides},
+    pen::{Pen, Sight},
+    sides::{follow, Follow, Outline, Side, Start},
     style::Stroke,
 };
 use crate::{
-    geom::{bits, PointFx},
+    geom::{bits, flatten::THIN, PointFx},
     num::{
         cast::{low_u32, magnitude, saturate},
         round::div_rem_wide,
@@ -76,26 +80,20 @@ impl Stroke {
     /// ```
     #[inline]
     pub const fn dashed(self, lengths: &[I24F8], phase: I24F8) -> Stroke<Dash<'_>> {
-        let Self { width, cap, join, miter_limit, dash: () } = self;
-        Stroke { width, cap, join, miter_limit, dash: Dash { lengths, phase } }
+        let Self { width, cap, join, miter_limit, min_width, dash: () } = self;
+        Stroke { width, cap, join, miter_limit, min_width, dash: Dash { lengths, phase } }
     }
 }
 
 impl Cut for Dash<'_> {
-    fn ready(self, width: u32) -> impl Ready {
-        let pattern = Pattern::new(self.lengths, width)?;
-        Some((pattern, pattern.start(self.phase)))
-    }
-}
-
-/// A pattern, and the place in it where contours start. `None`: nothing to cut.
-impl Ready for Option<(Pattern<'_>, Place)> {
-    #[inline]
-    fn pieces<O: Outline>(self, outline: O, pen: Pen) -> impl Iterator<Item = Piece> + Clone {
-        let sight = pen.sight.wider(OVERSHOT);
-        let sides = Sides::new(outline.front(sight, self.is_some()), sight);
-        let at = self.map(|(_, start)| start).unwrap_or_default();
-        Pieces::new(Cutter { sides, sight, pattern: self, at, skipped: 0, side: None, stop: false }, pen)
+    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx)) {
+        let Some(pattern) = Pattern::new(self.lengths, pen.width) else { return ().border(contours, pen, each) };
+        let (sight, first) = (pen.sight.wider(OVERSHOT), pattern.start(self.phase));
+        let border = Border::new(pen, each);
+        let mut cutter = Cutter { border, sight, pattern, first, at: first, skipped: 0, has_ended: false };
+        for outline in contours {
+            follow(outline.front(sight, true), sight, pen.width <= THIN, &mut cutter);
+        }
     }
 }
 
@@ -186,134 +184,175 @@ fn units(length: I24F8) -> u64 {
 }
 
 /// A side that is being cut, from `s` on.
-#[derive(Copy, Clone, Debug)]
-struct Side {
-    a: PointFx,
-    b: PointFx,
+struct Length {
+    side: Side,
+    /// From its start straight to its end.
     u: Direction,
-    start: Start,
+    straight: u64,
+    /// As long as the curve, which may be a little more.
     length: u64,
     s: u64,
 }
 
-impl Side {
+/// How far it is from one place to another, and how much farther the curve goes, of which this is a part.
+fn measure<O: Outline>(a: PointFx, b: PointFx, outline: &O) -> (u64, u64) {
+    let straight = distance(a, b);
+    (straight, outline.curve().map_or(0, |curve| curve.excess(a, straight >> 8)))
+}
+
+impl Length {
     fn at(&self, s: u64) -> PointFx {
-        if s == self.length {
-            return self.b;
+        if s >= self.straight {
+            return self.side.b;
         }
         let along = |from: i32, u: i32| {
             let (high, _) = times((i64::from(low_u32(s >> 32)), low_u32(s)), u.unsigned_abs());
             let distance = high.wrapping_add(1 << 5) >> 6;
             saturate(i64::from(from).wrapping_add(if u < 0 { distance.wrapping_neg() } else { distance }))
         };
-        let (x, y) = bits(self.a);
+        let (x, y) = bits(self.side.a);
         PointFx::from_bits(along(x, self.u.x), along(y, self.u.y))
+    }
+
+    /// Which way it goes at a place: at its ends it is known, in between the curve is asked.
+    fn way<O: Outline>(&self, s: u64, at: PointFx, outline: &O) -> Direction {
+        let [start, end] = self.side.ways;
+        match outline.curve() {
+            _ if s == 0 => start,
+            Some(curve) if start != end && s != self.length => {
+                Direction::of(curve.way_beside(at, (self.u.x, self.u.y))).unwrap_or(self.u)
+            }
+            _ => end,
+        }
     }
 }
 
-/// Sides with gaps.
-#[derive(Clone, Debug)]
-struct Cutter<'a, S> {
-    sides: S,
+/// Cuts sides into dashes.
+struct Cutter<'a, 'b> {
+    border: Border<'b>,
     sight: Sight,
-    /// And the place in it at which a contour starts. `None`: nothing to cut.
-    pattern: Option<(Pattern<'a>, Place)>,
+    pattern: Pattern<'a>,
+    /// The place in it at which a contour starts.
+    first: Place,
     at: Place,
     /// How far ahead of that place the pattern is, by sides that cannot be seen.
     skipped: u64,
-    side: Option<Side>,
-    /// Whether the dash ended with the piece that was returned last.
-    stop: bool,
+    /// Whether a dash ended where the last side did. If a ring ends there too, the dash is joined to the first one.
+    has_ended: bool,
 }
 
-impl<S: Iterator<Item = Event>> Iterator for Cutter<'_, S> {
-    type Item = Event;
+impl Follow for Cutter<'_, '_> {
+    fn side<O: Outline>(&mut self, side: &Side, outline: &O) {
+        self.end();
+        let &Side { a, b, ways: [start, end], .. } = side;
+        let u = if start == end { start } else { Direction::between(a, b).unwrap_or(start) };
+        let skipped = self.pattern.rest(mem::take(&mut self.skipped));
+        self.pattern.advance(&mut self.at, skipped);
+        let (straight, more) = measure(a, b, outline);
+        let mut length = Length { side: *side, u, straight, length: straight.wrapping_add(more), s: 0 };
+        while length.s != length.length {
+            self.cut(&mut length, outline);
+        }
+    }
 
-    #[inline(never)]
-    fn next(&mut self) -> Option<Event> {
-        let Some((pattern, first)) = self.pattern else { return self.sides.next() };
-        loop {
-            if mem::take(&mut self.stop) {
-                return Some(Event::Stop);
-            }
-            if let Some(mut side) = self.side.take() {
-                if let Some(event) = self.piece(&pattern, &mut side) {
-                    return Some(event);
-                }
-                continue;
-            }
-            match self.sides.next()? {
-                Event::Side { a, b, u: Some(u), start } => {
-                    let length = distance(a, b);
-                    let skipped = pattern.rest(mem::take(&mut self.skipped));
-                    pattern.advance(&mut self.at, skipped);
-                    let start = if start == Start::Ring { Start::Corner } else { start };
-                    self.side = Some(Side { a, b, u, start, length, s: 0 });
-                }
-                Event::Side { a, b, u: None, .. } => {
-                    // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
-                    self.skip(&pattern, distance(a, b));
-                    return Some(Event::Stop);
-                }
-                Event::Stop | Event::Close => {
-                    (self.at, self.skipped) = (first, 0);
-                    return Some(Event::Stop);
-                }
-                Event::Dot(_) if !self.at.is_on() => {}
-                dot @ Event::Dot(_) => return Some(dot),
-            }
+    fn hidden<O: Outline>(&mut self, a: PointFx, b: PointFx, outline: &O) {
+        // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
+        self.has_ended = false;
+        let (length, more) = measure(a, b, outline);
+        self.skip(length.wrapping_add(more));
+        self.border.hidden(a, b, outline);
+    }
+
+    fn stop(&mut self) {
+        self.border.stop();
+        self.restart();
+    }
+
+    fn close(&mut self) {
+        self.border.close();
+        self.restart();
+    }
+
+    fn dot(&mut self, at: PointFx) {
+        if self.at.is_on() {
+            self.border.dot(at);
         }
     }
 }
 
-impl<S> Cutter<'_, S> {
-    /// Moves on by a distance below 2^42.
-    fn skip(&mut self, pattern: &Pattern<'_>, distance: u64) {
+impl Cutter<'_, '_> {
+    fn restart(&mut self) {
+        (self.at, self.skipped, self.has_ended) = (self.first, 0, false);
+    }
+
+    /// Ends the dash that went as far as the last side.
+    fn end(&mut self) {
+        if mem::take(&mut self.has_ended) {
+            self.border.stop();
+        }
+    }
+
+    /// Moves on by a distance below 2^42 and a little more.
+    fn skip(&mut self, distance: u64) {
         self.skipped = self.skipped.wrapping_add(distance);
         if self.skipped >> 43 != 0 {
-            self.skipped = pattern.rest(self.skipped);
+            self.skipped = self.pattern.rest(self.skipped);
         }
     }
 
-    /// The next piece of a side that is on. The side stays for another one unless it is used up.
-    fn piece(&mut self, pattern: &Pattern<'_>, side: &mut Side) -> Option<Event> {
-        loop {
-            #[cfg(test)]
-            crate::num::tally::add(crate::num::tally::Work::Dash);
-            let from = side.at(side.s);
-            let mut left = side.length.wrapping_sub(side.s);
-            if left == 0 {
-                return None;
-            }
-            // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
-            if side.s > 0 {
-                let mut beside = self.sight.beside(from).min(left);
-                if self.sight.hides(from, side.b) {
-                    if self.sight.hides_corner(side.b) {
-                        self.skip(pattern, left);
-                        return None;
-                    }
-                    beside = left;
+    /// Goes on by one length of the pattern, or to the end of a side, or over whole periods that cannot be seen.
+    fn cut<O: Outline>(&mut self, length: &mut Length, outline: &O) {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Dash);
+        let (s, side) = (length.s, length.side);
+        let (from, mut left) = (length.at(s), length.length.wrapping_sub(s));
+        // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
+        if s > 0 {
+            let mut beside = self.sight.beside(from).min(left);
+            if self.sight.hides(from, side.b) {
+                if self.sight.hides_corner(side.b) {
+                    self.skip(left);
+                    length.s = length.length;
+                    // What was on has ended at `from`, so there is nothing open.
+                    return self.border.hidden(from, side.b, outline);
                 }
-                if beside >= pattern.period {
-                    side.s = side.s.wrapping_add(beside.wrapping_sub(pattern.rest(beside)));
-                    continue;
-                }
+                beside = left;
             }
-            let on = self.at.is_on();
-            left = left.min(self.at.left);
-            let start = if side.s == 0 { side.start } else { Start::Corner };
-            side.s = side.s.wrapping_add(left);
-            self.at.left = self.at.left.wrapping_sub(left);
-            let ends = self.at.left == 0;
-            if ends {
-                pattern.next(&mut self.at);
-            }
-            if on {
-                self.stop = ends;
-                self.side = Some(*side);
-                return Some(Event::Side { a: from, b: side.at(side.s), u: Some(side.u), start });
+            if beside >= self.pattern.period {
+                length.s = s.wrapping_add(beside.wrapping_sub(self.pattern.rest(beside)));
+                return;
             }
         }
+        let on = self.at.is_on();
+        left = left.min(self.at.left);
+        length.s = s.wrapping_add(left);
+        self.at.left = self.at.left.wrapping_sub(left);
+        let ends = self.at.left == 0;
+        if ends {
+            self.pattern.next(&mut self.at);
+        }
+        if !on {
+            // The next dash has a cap, even if what came before cannot be seen.
+            self.border.stop();
+        } else {
+            self.dash(length, (s, from), outline);
+            self.has_ended = ends;
+            if length.s != length.length {
+                self.end();
+            }
+        }
+    }
+
+    /// A part of a side, up to the present place.
+    fn dash<O: Outline>(&mut self, length: &Length, (s, a): (u64, PointFx), outline: &O) {
+        let side = length.side;
+        let b = length.at(length.s);
+        let start = match side.start {
+            // A dash that is the first thing on a ring may be joined to the last one.
+            start if s == 0 => start,
+            _ => Start::Corner,
+        };
+        let ways = [length.way(s, a, outline), length.way(length.s, b, outline)];
+        self.border.side(&Side { a, b, ways, start }, outline);
     }
 }

@@ -7,7 +7,7 @@ use crate::{
     num::{
         cast::{low_u32, narrow, signed},
         root::square_root,
-        round::div_rem_wide,
+        round::{difference, div_rem_wide},
     },
 };
 
@@ -22,9 +22,16 @@ impl Direction {
     pub(crate) const RIGHT: Self = Self { x: 1 << 30, y: 0 };
 
     /// From a to b; `None` if they are the same place.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn between(a: PointFx, b: PointFx) -> Option<Self> {
-        let Difference { x, y, length, is_left, is_up, .. } = Difference::between(a, b);
+        let (a, b) = (bits(a), bits(b));
+        Self::of((difference(b.0, a.0), difference(b.1, a.1)))
+    }
+
+    /// Of a vector below 2^63; `None` if it is none.
+    #[inline(never)]
+    pub(crate) fn of((x, y): (i64, i64)) -> Option<Self> {
+        let Scaled { x, y, length, is_left, is_up, .. } = Scaled::new(x, y);
         let length = NonZeroU32::new(length)?;
         let share = |n: u32, back: bool| {
             let (q, r) = div_rem_wide(u64::from(n) << 30, length);
@@ -76,33 +83,33 @@ pub(crate) const OVERSHOT: u32 = 8;
 /// How far two places are from each other, in units of 2^-16 pixel, rounded down. It takes a third of what the direction does.
 #[inline(never)]
 pub(crate) fn distance(a: PointFx, b: PointFx) -> u64 {
-    let Difference { length, zeros, .. } = Difference::between(a, b);
-    (u64::from(length) << 9).wrapping_shr(zeros)
+    let (a, b) = (bits(a), bits(b));
+    let Scaled { length, zeros, .. } = Scaled::new(difference(b.0, a.0), difference(b.1, a.1));
+    (u64::from(length) << 9).wrapping_shr(zeros.wrapping_sub(32))
 }
 
-/// The difference of two places, scaled so that the larger component has 31 bits.
-struct Difference {
+/// A vector, scaled so that the larger component has 31 bits. A short one is exact.
+struct Scaled {
     x: u32,
     y: u32,
     is_left: bool,
     is_up: bool,
     /// Of (x, y), rounded down.
     length: u32,
-    /// Before it was scaled, the larger component had so many bits less than 32.
+    /// Before it was scaled, the larger component had so many bits less than 64.
     zeros: u32,
 }
 
-impl Difference {
+impl Scaled {
     #[inline(never)]
-    fn between(a: PointFx, b: PointFx) -> Self {
-        let (a, b) = (bits(a), bits(b));
-        let (x, y) = (a.0.abs_diff(b.0), a.1.abs_diff(b.1));
+    fn new(x: i64, y: i64) -> Self {
+        let (is_left, is_up, x, y) = (x < 0, y < 0, x.unsigned_abs(), y.unsigned_abs());
         let zeros = (x | y).leading_zeros();
-        let scaled = |n: u32| n.wrapping_shl(zeros) >> 1;
+        let scaled = |n: u64| low_u32(n.wrapping_shl(zeros) >> 33);
         let (x, y) = (scaled(x), scaled(y));
         let square = |n: u32| u64::from(n).wrapping_mul(u64::from(n));
         let length = square_root(square(x).wrapping_add(square(y)));
-        Self { x, y, is_left: b.0 < a.0, is_up: b.1 < a.1, length, zeros }
+        Self { x, y, is_left, is_up, length, zeros }
     }
 }
 

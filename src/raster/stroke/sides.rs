@@ -1,24 +1,23 @@
-//! The sides of a contour, and the pieces of a stroke that they are made into.
+//! The sides of a contour: from place to place, and which way the path goes at both ends of each.
 
 use core::slice;
 
-use super::{
-    direction::Direction,
-    pen::{Event, Pen, Piece, Sight, Start},
-};
+use super::{direction::Direction, pen::Sight};
 use crate::geom::{
-    flatten::{Contour, Front, Knot},
+    flatten::{Bezier, Contour, Front, Knot, Way},
     PointFx, Segments,
 };
 
 /// Something that is a list of places.
-pub trait Outline: Clone {
+pub trait Outline {
     /// The next place, and whether the path is smooth there.
     fn next_place(&mut self) -> Option<(PointFx, bool)>;
     /// Whether there is a side from the last place to the first.
     fn is_closed(&self) -> bool;
     /// Whether it may have a corner at a place, though the knot there is smooth.
     fn ends_at(&self, v: PointFx) -> bool;
+    /// The curve that the last side is a part of.
+    fn curve(&self) -> Option<&Bezier>;
     /// The same up to the last part of it that can be seen: what is left out does not change what is seen. Curves are followed
     /// `everywhere` or where they can be seen.
     fn front(self, sight: Sight, everywhere: bool) -> impl Outline;
@@ -41,6 +40,11 @@ impl<I: Segments> Outline for Contour<I> {
     }
 
     #[inline]
+    fn curve(&self) -> Option<&Bezier> {
+        self.curve()
+    }
+
+    #[inline]
     fn front(self, sight: Sight, everywhere: bool) -> impl Outline {
         self.front(sight.near, everywhere, |v| sight.hides_corner(v))
     }
@@ -60,6 +64,11 @@ impl<I: Segments> Outline for Front<I> {
     #[inline]
     fn ends_at(&self, v: PointFx) -> bool {
         self.ends_at(v)
+    }
+
+    #[inline]
+    fn curve(&self) -> Option<&Bezier> {
+        self.curve()
     }
 
     #[inline]
@@ -91,6 +100,11 @@ impl Outline for Polyline<'_> {
         true
     }
 
+    #[inline]
+    fn curve(&self) -> Option<&Bezier> {
+        None
+    }
+
     fn front(self, sight: Sight, _: bool) -> impl Outline {
         let places = self.places.as_slice();
         let hides = |a: PointFx, b: PointFx| sight.hides(a, b) && sight.hides_corner(a) && sight.hides_corner(b);
@@ -104,127 +118,101 @@ impl Outline for Polyline<'_> {
     }
 }
 
-/// The sides of a contour, without those of no length.
-#[derive(Clone, Debug)]
-pub(super) struct Sides<O> {
-    outline: O,
-    sight: Sight,
-    start: PointFx,
-    last: Option<Knot>,
-    /// Whether there was a side.
-    moved: bool,
+/// A side that can be seen.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Side {
+    /// Where it starts.
+    pub(super) a: PointFx,
+    /// Where it ends.
+    pub(super) b: PointFx,
+    /// Which way it goes at `a` and at `b`.
+    pub(super) ways: [Direction; 2],
+    /// What is at `a`.
+    pub(super) start: Start,
 }
 
-impl<O: Outline> Sides<O> {
-    #[inline]
-    pub(super) fn new(outline: O, sight: Sight) -> Self {
-        Self { outline, sight, start: PointFx::from_bits(0, 0), last: None, moved: false }
-    }
+/// What a side begins with.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) enum Start {
+    /// A corner, or the end of a stroke.
+    Corner,
+    /// A place inside of a curve.
+    Smooth,
+    /// The start of a closed contour.
+    Ring,
+}
 
-    fn side(&mut self, from: Knot, to: Knot) -> Event {
-        let ring = !self.moved && self.outline.is_closed();
-        let start = match from.smooth {
-            _ if ring => Start::Ring,
+/// Follows contours, side by side.
+pub(super) trait Follow {
+    /// A side, which is a part of the last curve of the outline if that has one.
+    fn side<O: Outline>(&mut self, side: &Side, outline: &O);
+    /// A side that lies outside of the window, with all that is drawn for it.
+    fn hidden<O: Outline>(&mut self, a: PointFx, b: PointFx, outline: &O);
+    /// The end of an open contour: the last side has a cap there.
+    fn stop(&mut self);
+    /// The end of a closed contour: its last side is joined to its first one.
+    fn close(&mut self);
+    /// A contour without length.
+    fn dot(&mut self, at: PointFx);
+}
+
+/// Goes along a contour. Sides of no length are left out. Where a stroke is thin, the sides inside of a curve are straight.
+pub(super) fn follow<O: Outline>(mut outline: O, sight: Sight, is_thin: bool, to: &mut impl Follow) {
+    let Some((start, _)) = outline.next_place() else { return };
+    let mut last = Knot { at: start, smooth: false };
+    let (mut way, mut moved, mut done) = (None, false, false);
+    while !done {
+        let knot = match outline.next_place() {
+            Some((at, smooth)) => Knot { at, smooth },
+            None => {
+                done = true;
+                if !outline.is_closed() {
+                    break;
+                }
+                Knot { at: start, smooth: false }
+            }
+        };
+        if knot.at == last.at {
+            // The same place again makes no side. It is smooth if both are.
+            last.smooth = last.smooth && (knot.smooth || done);
+            continue;
+        }
+        let kind = match last.smooth {
+            _ if !moved && outline.is_closed() => Start::Ring,
             true => Start::Smooth,
             false => Start::Corner,
         };
-        self.moved = true;
-        let (a, b) = (from.at, to.at);
-        let no_tip = |smooth: bool, v: PointFx| smooth || self.sight.hides_corner(v);
-        let hidden =
-            self.sight.hides(a, b) && no_tip(from.smooth, a) && no_tip(to.smooth && !self.outline.ends_at(b), b);
-        let u = if hidden { None } else { Direction::between(a, b) };
-        Event::Side { a, b, u, start }
+        moved = true;
+        let (a, b) = (last.at, knot.at);
+        let no_tip = |smooth: bool, v: PointFx| smooth || sight.hides_corner(v);
+        let is_hidden = sight.hides(a, b) && no_tip(last.smooth, a) && no_tip(knot.smooth && !outline.ends_at(b), b);
+        match if is_hidden { None } else { ways(&outline, (a, b), &mut way, !done, is_thin) } {
+            Some(ways) => to.side(&Side { a, b, ways, start: kind }, &outline),
+            None => to.hidden(a, b, &outline),
+        }
+        last = knot;
+    }
+    match outline.is_closed() {
+        _ if !moved => to.dot(start),
+        true => to.close(),
+        false => to.stop(),
     }
 }
 
-impl<O: Outline> Iterator for Sides<O> {
-    type Item = Event;
-
-    #[inline(never)]
-    fn next(&mut self) -> Option<Event> {
-        while let Some((at, smooth)) = self.outline.next_place() {
-            let node = Knot { at, smooth };
-            match self.last.replace(node) {
-                None => self.start = node.at,
-                Some(last) if last.at != node.at => return Some(self.side(last, node)),
-                // The same place again makes no side. It is smooth if both are.
-                Some(last) => self.last = Some(Knot { smooth: node.smooth && last.smooth, ..node }),
-            }
-        }
-        let last = self.last.take()?;
-        let closed = self.outline.is_closed();
-        if closed && last.at != self.start {
-            let start = Knot { at: self.start, smooth: false };
-            self.last = Some(start);
-            return Some(self.side(last, start));
-        }
-        Some(match closed {
-            _ if !self.moved => Event::Dot(self.start),
-            true => Event::Close,
-            false => Event::Stop,
-        })
-    }
-}
-
-/// The pieces of a stroke.
-#[derive(Clone, Debug)]
-pub(super) struct Pieces<E> {
-    events: E,
-    pen: Pen,
-    /// What comes after the piece that was taken last.
-    pending: Option<Piece>,
-    /// Where the last side ended, and its direction if it is not hidden.
-    last: Option<(PointFx, Option<Direction>)>,
-    /// The direction of the first side.
-    first: Option<Direction>,
-}
-
-impl<E: Iterator<Item = Event>> Pieces<E> {
-    #[inline]
-    pub(super) fn new(events: E, pen: Pen) -> Self {
-        Self { events, pen, pending: None, last: None, first: None }
-    }
-}
-
-impl<E: Iterator<Item = Event>> Iterator for Pieces<E> {
-    type Item = Piece;
-
-    #[inline(never)]
-    fn next(&mut self) -> Option<Piece> {
-        if let Some(part) = self.pending.take() {
-            return Some(part);
-        }
-        loop {
-            let pen = &self.pen;
-            let parts = match self.events.next()? {
-                Event::Side { a, b, u, start } => {
-                    let before = match self.last {
-                        Some((_, last)) => pen.join(a, last, u, start == Start::Smooth),
-                        None if start == Start::Ring => None,
-                        None => pen.cap(a, u.map(Direction::back)),
-                    };
-                    if start == Start::Ring {
-                        self.first = u;
-                    }
-                    self.last = Some((b, u));
-                    (before, u.and_then(|u| pen.side(a, b, u)))
-                }
-                Event::Stop => (self.last.take().and_then(|(b, u)| pen.cap(b, u)), None),
-                Event::Close => (self.last.take().and_then(|(b, u)| pen.join(b, u, self.first, false)), None),
-                Event::Dot(at) => {
-                    let u = Direction::RIGHT;
-                    (pen.cap(at, Some(u)), pen.cap(at, Some(u.back())))
-                }
-            };
-            match parts {
-                (Some(part), pending) => {
-                    self.pending = pending;
-                    return Some(part);
-                }
-                (None, Some(part)) => return Some(part),
-                (None, None) => {}
-            }
-        }
-    }
+/// Which way a side goes at its ends: as its curve does, or straight. `is_part`: of the outline's curve, if there is one. `known`: a
+/// way and its direction, those of the end of the last side; then those of this one.
+fn ways<O: Outline>(
+    outline: &O,
+    (a, b): (PointFx, PointFx),
+    known: &mut Option<(Way, Direction)>,
+    is_part: bool,
+    is_thin: bool,
+) -> Option<[Direction; 2]> {
+    let straight = || Direction::between(a, b);
+    let Some(curve) = outline.curve().filter(|_| is_part) else { return straight().map(|u| [u; 2]) };
+    let [start, end] = curve.ways(is_thin);
+    let last = known.filter(|&(way, _)| way == start).map(|(_, u)| u);
+    let to = Direction::of(end);
+    *known = to.map(|u| (end, u));
+    Some([last.or_else(|| Direction::of(start)).or_else(straight)?, to.or_else(straight)?])
 }

@@ -51,7 +51,7 @@ pub enum Join {
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Stroke<D = ()> {
-    /// In pixels and 1/256 of them, from 0 to 65,536; others count as the nearest of these.
+    /// In pixels and 1/256 of them, from `min_width` to 65,536; others count as the nearest of these.
     pub width: I24F8,
     /// How its ends look.
     pub cap: Cap,
@@ -59,6 +59,9 @@ pub struct Stroke<D = ()> {
     pub join: Join,
     /// How far, in widths, a miter may reach from its inner to its outer corner.
     pub miter_limit: I24F8,
+    /// What a smaller width counts as: one pixel, unless [`with_min_width`](Self::with_min_width) says something else. A stroke
+    /// that is thinner than a pixel misses the centres of most pixels, so little of it would be seen, and that in pieces.
+    pub min_width: I24F8,
     /// Its gaps: `()` for none.
     pub dash: D,
 }
@@ -67,7 +70,8 @@ impl Stroke {
     /// A solid stroke of this width, with butt caps and miter joins up to 4 widths. For whole pixels there is [`px`](Self::px).
     #[inline]
     pub const fn new(width: I24F8) -> Self {
-        Self { width, cap: Cap::Butt, join: Join::Miter, miter_limit: I24F8::from_bits(4 << 8), dash: () }
+        let (miter_limit, min_width) = (I24F8::from_bits(4 << 8), I24F8::from_bits(1 << 8));
+        Self { width, cap: Cap::Butt, join: Join::Miter, miter_limit, min_width, dash: () }
     }
 
     /// The same, in whole pixels.
@@ -97,5 +101,25 @@ impl<D> Stroke<D> {
     #[must_use]
     pub fn with_miter_limit(self, miter_limit: I24F8) -> Self {
         Self { miter_limit, ..self }
+    }
+
+    /// The same stroke with another least width. With 0, a thin one has the pixels whose centres it covers, and no others.
+    /// ```
+    /// use embedded_raster::{px, raster::stroke, ClippedSpan, EdgeSlot, Path, PathSegment::*, PointFx, Rect, Stroke};
+    /// use fixed::types::I24F8;
+    /// let line = [MoveTo(PointFx::px(1, 1)), LineTo(PointFx::px(7, 1))];
+    /// let count = |stroke: &Stroke| {
+    ///     let (mut count, mut table) = (0, [EdgeSlot::EMPTY; 8]);
+    ///     let window = Rect::new(0, 0, 8, 2);
+    ///     stroke::fill(Path::new(&line), stroke, &mut table, window, |s: ClippedSpan| count += s.len()).map(|()| count)
+    /// };
+    /// let thin = Stroke::new(I24F8::from_num(0.25));
+    /// assert_eq!(count(&thin), Ok(6));
+    /// assert_eq!(count(&thin.with_min_width(px(0))), Ok(0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn with_min_width(self, min_width: I24F8) -> Self {
+        Self { min_width, ..self }
     }
 }

@@ -21,7 +21,7 @@ fn at(x: i32, y: i32) -> PointFx {
     PointFx::from_bits(x, y)
 }
 
-/// Square roots, points of curves, lengths of the pattern, sides of pieces, bands.
+/// Square roots, points of curves, lengths of the pattern, lines of the border, bands.
 fn work<D: Dashing>(path: &[PathSegment], stroke: &Stroke<D>, slots: usize) -> [usize; 5] {
     let mut table = vec![EdgeSlot::EMPTY; slots];
     let path = Path::new(path);
@@ -100,8 +100,9 @@ fn a_curve_is_measured_up_to_where_it_is_last_seen() {
     let lengths = [1_000; 2].map(I24F8::from_bits);
     let dashed = Stroke::px(3).dashed(&lengths, I24F8::ZERO);
     let front = [MoveTo(at(20_000, 20_000)), CubicTo(at(high, low), at(low, low), at(high, high))];
+    // For each end of a dash that is seen, 12 points: where on the curve it is.
     let done = work(&front, &dashed, 2_000);
-    assert!(done[0] < 250 && done[1] < 300 && done[2] < 400, "{done:?}");
+    assert!(done[0] < 250 && done[1] < 500 && done[2] < 400, "{done:?}");
     let around = [MoveTo(at(low, high)), CubicTo(at(high, low), at(low, low), at(high, high))];
     let done = work(&around, &dashed, 2_000);
     assert!(done[0] < 40 && done[1] < 80, "{done:?}");
@@ -147,7 +148,7 @@ fn bands_make_the_pieces_that_they_show() {
     let stroke = Stroke::new(I24F8::from_bits(800));
     let dashed = stroke.dashed(&lengths, I24F8::ZERO);
     let (whole, bands) = (work(&path, &dashed, 60_000), work(&path, &dashed, 200));
-    assert_eq!([whole[4], bands[4]], [1, 103], "bands");
+    assert_eq!([whole[4], bands[4]], [1, 97], "bands");
     assert!(bands[3] < 6 * whole[3] && bands[2] < 8 * whole[2], "{whole:?} {bands:?}");
     let (whole, bands) = (work(&path, &stroke, 60_000), work(&path, &stroke, 200));
     assert!(bands[3] < 5 * whole[3] && bands[0] < 5 * whole[0], "{whole:?} {bands:?}");

@@ -1,0 +1,214 @@
+//! Strokes of true curves, in `f64`: which places lie in them. Curves are not flattened. They are looked at in many places, so
+//! densely that what happens in between is far below the rounding that a rasterizer may do.
+
+use embedded_raster::{Cap, Join};
+
+use super::{
+    curves::{bezier, Piece},
+    strokes::Pen,
+};
+
+type Place = (f64, f64);
+
+/// Places on each curve.
+const SAMPLES: usize = 1_500;
+
+/// A place on a path, and the direction there, of length 1.
+#[derive(Copy, Clone, Debug)]
+struct Sample {
+    at: Place,
+    way: Place,
+}
+
+/// The stroke of a path.
+#[derive(Debug)]
+pub struct Model {
+    pen: Pen,
+    half: f64,
+    /// Along each segment.
+    runs: Vec<Vec<Sample>>,
+    /// Where two segments meet: the place, and the directions before and after.
+    corners: Vec<(Place, Place, Place)>,
+    /// The ends of open contours, seen from the contour.
+    ends: Vec<Sample>,
+    dots: Vec<Place>,
+}
+
+fn sub(a: Place, b: Place) -> Place {
+    (a.0 - b.0, a.1 - b.1)
+}
+
+fn dot(a: Place, b: Place) -> f64 {
+    a.0 * b.0 + a.1 * b.1
+}
+
+fn cross(a: Place, b: Place) -> f64 {
+    a.0 * b.1 - a.1 * b.0
+}
+
+fn unit(a: Place) -> Option<Place> {
+    let length = a.0.hypot(a.1);
+    (length > 1e-9).then(|| (a.0 / length, a.1 / length))
+}
+
+/// The samples of a segment; none if it has no length.
+fn samples(points: &[Place]) -> Vec<Sample> {
+    let n = points.len() - 1;
+    if points.iter().all(|&p| p == points[0]) {
+        return vec![];
+    }
+    let count = if n == 1 { 1 } else { SAMPLES };
+    let hodograph: Vec<Place> = points.windows(2).map(|p| sub(p[1], p[0])).collect();
+    // At an end where the first derivative is 0, the direction to the next control point that is elsewhere.
+    let first = points.iter().find_map(|&p| unit(sub(p, points[0])));
+    let last = points.iter().rev().find_map(|&p| unit(sub(points[n], p)));
+    let mut all: Vec<Sample> = vec![];
+    for i in 0..=count {
+        let t = i as f64 / count as f64;
+        let way = match i {
+            0 => first,
+            _ if i == count => last,
+            _ => unit(bezier(hodograph.clone(), t)),
+        };
+        let Some(way) = way else { continue };
+        all.push(Sample { at: bezier(points.to_vec(), t), way });
+    }
+    all
+}
+
+impl Model {
+    /// The stroke of a path by a pen. All lengths are in units.
+    pub fn new(pieces: &[Piece], pen: Pen) -> Self {
+        let half = f64::from(pen.width) / 2.0;
+        let mut model = Self { pen, half, runs: vec![], corners: vec![], ends: vec![], dots: vec![] };
+        let float = |p: (i32, i32)| (f64::from(p.0), f64::from(p.1));
+        let (mut start, mut contour): (Place, Option<(Place, Vec<Vec<Sample>>)>) = ((0.0, 0.0), None);
+        for piece in pieces.iter().chain([&Piece::Move((0, 0))]) {
+            let at = contour.as_ref().map_or(start, |(at, _)| *at);
+            let points = match *piece {
+                Piece::Move(a) => {
+                    model.add(contour.take(), start, false);
+                    start = float(a);
+                    continue;
+                }
+                Piece::Close => {
+                    let (_, mut runs) = contour.take().unwrap_or((at, vec![]));
+                    runs.push(samples(&[at, start]));
+                    model.add(Some((start, runs)), start, true);
+                    continue;
+                }
+                Piece::Line(a) => vec![at, float(a)],
+                Piece::Quadratic(a, b) => vec![at, float(a), float(b)],
+                Piece::Cubic(a, b, c) => vec![at, float(a), float(b), float(c)],
+            };
+            let (to, runs) = contour.get_or_insert_with(|| (at, vec![]));
+            runs.push(samples(&points));
+            *to = points[points.len() - 1];
+        }
+        model
+    }
+
+    fn add(&mut self, contour: Option<(Place, Vec<Vec<Sample>>)>, start: Place, closed: bool) {
+        let Some((_, mut runs)) = contour else { return };
+        runs.retain(|run| !run.is_empty());
+        let (Some(first), Some(last)) = (runs.first().map(|r| r[0]), runs.last().map(|r| r[r.len() - 1])) else {
+            self.dots.push(start);
+            return;
+        };
+        for pair in runs.windows(2) {
+            self.corners.push((pair[1][0].at, pair[0][pair[0].len() - 1].way, pair[1][0].way));
+        }
+        if closed {
+            self.corners.push((first.at, last.way, first.way));
+        } else {
+            self.ends.extend([Sample { way: (-first.way.0, -first.way.1), ..first }, last]);
+        }
+        self.runs.extend(runs);
+    }
+
+    /// Whether a place lies in the stroke.
+    pub fn contains(&self, p: Place) -> bool {
+        self.runs.iter().any(|run| self.is_beside(run, p))
+            || self.corners.iter().any(|&(at, before, after)| self.is_in_join(sub(p, at), before, after))
+            || self.ends.iter().any(|end| self.is_in_cap(sub(p, end.at), end.way))
+            || self.dots.iter().any(|&at| match self.pen.cap {
+                Cap::Butt => false,
+                Cap::Square => (p.0 - at.0).abs() <= self.half && (p.1 - at.1).abs() <= self.half,
+                Cap::Round => (p.0 - at.0).hypot(p.1 - at.1) <= self.half,
+            })
+    }
+
+    /// Whether it is within half a width of a segment, at a right angle to it.
+    fn is_beside(&self, run: &[Sample], p: Place) -> bool {
+        run.windows(2).any(|s| {
+            let along = [0, 1].map(|i| dot(sub(p, s[i].at), s[i].way));
+            if along[0] * along[1] > 0.0 {
+                return false;
+            }
+            // Where in between it is at a right angle.
+            let t = if along[0] == along[1] { 0.0 } else { along[0] / (along[0] - along[1]) };
+            let at = (s[0].at.0 + t * (s[1].at.0 - s[0].at.0), s[0].at.1 + t * (s[1].at.1 - s[0].at.1));
+            (p.0 - at.0).hypot(p.1 - at.1) <= self.half
+        })
+    }
+
+    fn is_in_cap(&self, p: Place, way: Place) -> bool {
+        let (along, across) = (dot(p, way), cross(p, way).abs());
+        match self.pen.cap {
+            Cap::Butt => false,
+            Cap::Square => (0.0..=self.half).contains(&along) && across <= self.half,
+            Cap::Round => along >= 0.0 && p.0.hypot(p.1) <= self.half,
+        }
+    }
+
+    fn is_in_join(&self, p: Place, before: Place, after: Place) -> bool {
+        // Seen from the corner: ahead of the end of the one side, behind the start of the other, is on its outer side.
+        let outer = if cross(before, after) > 0.0 { -1.0 } else { 1.0 };
+        let normal = |way: Place| (-way.1 * outer, way.0 * outer);
+        let (m, n) = (normal(before), normal(after));
+        let angle = cross(m, n);
+        if angle.abs() < 1e-12 && dot(before, after) > 0.0 {
+            return false;
+        }
+        let (a, b) = if angle.abs() < 1e-12 {
+            (dot(p, before), -dot(p, after))
+        } else {
+            (cross(p, n) / angle, cross(m, p) / angle)
+        };
+        if a < 0.0 || b < 0.0 {
+            return false;
+        }
+        let is_round = p.0.hypot(p.1) <= self.half;
+        // Of a way back there is no bevel.
+        let is_bevel = angle.abs() >= 1e-12 && a + b <= self.half;
+        match self.pen.join {
+            Join::Round => is_round,
+            Join::Bevel => is_bevel,
+            Join::Miter => {
+                let limit = f64::from(self.pen.limit) / 256.0;
+                if limit * limit * (1.0 + dot(before, after)) >= 2.0 {
+                    dot(p, m) <= self.half && dot(p, n) <= self.half
+                } else {
+                    is_bevel
+                }
+            }
+        }
+    }
+
+    /// Whether the miter limit decides about a join by a hair.
+    pub fn is_near_limit(&self) -> bool {
+        let limit = f64::from(self.pen.limit) / 256.0;
+        self.pen.join == Join::Miter
+            && self.corners.iter().any(|c| (limit * limit * (1.0 + dot(c.1, c.2)) / 2.0 - 1.0).abs() < 0.02)
+    }
+
+    /// Whether some place not farther than this from p is in the stroke, or out of it, as asked.
+    pub fn has_near(&self, p: Place, reach: f64, inside: bool) -> bool {
+        (1..=4).any(|ring| {
+            (0..48).any(|i| {
+                let (angle, far) = (f64::from(i) / 48.0 * core::f64::consts::TAU, reach * f64::from(ring) / 4.0);
+                self.contains((p.0 + far * angle.cos(), p.1 + far * angle.sin())) == inside
+            })
+        })
+    }
+}
