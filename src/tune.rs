@@ -47,8 +47,8 @@ const SMALL_CORE: bool = cfg!(embedded_raster_small_core);
 /// Whether the chip divides in hardware. Armv6-M does not.
 pub(crate) const DIVIDES: bool = !SMALL_CORE && !ARMV6;
 
-/// Whether the product of two words is one or two instructions, for both of its words. On Armv6-M it is a function.
-pub(crate) const LONG_PRODUCTS: bool = !SMALL_CORE && !ARMV6;
+/// Whether the product of two words is left to the compiler. On Armv6-M that is a call, which a build for size keeps.
+pub(crate) const LONG_PRODUCTS: bool = !SMALL_CORE && (!ARMV6 || COMPACT);
 
 /// Computers whose registers have 64 bits, and divide in them.
 pub(crate) const WORDS: bool = !SMALL_CORE && cfg!(target_pointer_width = "64");

@@ -207,10 +207,9 @@ impl Facet {
     /// 2^24, and the numerator of the start below 2^40.1. Gains are above the true ones by at most 2 + 2^-6 units of the fraction,
     /// the start by at most 9: with all steps, by less than 1 / D. No number is above 2^62.2, as D is at least 2^15.
     #[inline(always)]
-    pub(crate) fn level_slopes(&self, [a, b, c]: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
+    pub(crate) fn level_slopes(&self, levels: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
         let scale = self.small_scale(512)?;
-        let slopes = |[a, b, c]: [u8; 3]| self.small_slopes(scale, [a.into(), b.into(), c.into()], 2, 6);
-        Some([slopes(a), slopes(b), slopes(c)])
+        Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
     }
 
     /// The same of a number of 16 bits in a triangle of 63 pixels.
