@@ -121,6 +121,7 @@ fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
 }
 
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "switches of a command line")]
 struct Options {
     paths: Vec<String>,
     input: Option<String>,
@@ -229,8 +230,10 @@ impl Options {
             let mut file = File::parse(&text).map_err(named)?;
             if !self.is_sized {
                 let size = file.size();
-                let scaled =
-                    |n: u16| (f64::from(n) * self.scale.to_num::<f64>().abs()).round().clamp(1.0, 4096.0) as u16;
+                let scaled = |n: u16| {
+                    let wide = u64::from(n) * u64::from(self.scale.to_bits().unsigned_abs());
+                    u16::try_from((wide + (1 << 15)) >> 16).unwrap_or(u16::MAX).clamp(1, 4096)
+                };
                 (screen.width, screen.height) = (scaled(size.0), scaled(size.1));
             }
             let fit = if self.is_sized { (screen.width, screen.height) } else { file.size() };
@@ -247,7 +250,9 @@ impl Options {
         let (sin, cos) = self.rotate.to_num::<f64>().to_radians().sin_cos();
         let then = [scale * cos, scale * sin, -scale * sin, scale * cos, x.to_num(), y.to_num()];
         let mut shapes = file.shapes(size, then, self.min_width);
-        shapes.iter_mut().for_each(|shape| shape.drop_out = self.drop_out);
+        for shape in &mut shapes {
+            shape.drop_out = self.drop_out;
+        }
         shapes
     }
 

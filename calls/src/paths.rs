@@ -46,13 +46,13 @@ calls! {
     step => arc.between(p, q).step().map(digest);
     next => arc.between(p, q).next().map(digest);
     [Path]
-    svg => Path::svg(on).map(|path| path.len());
+    svg => Path::svg(on).map(Svg::len);
     into_iter => digests(Path::new(segments));
     [Svg]
     iter => svg(on).map(|path| digests(path.iter()));
     mapped => svg(on).map(|path| digests(path.mapped(map)));
-    len => svg(on).map(|path| path.len());
-    is_empty => svg(on).map(|path| path.is_empty());
+    len => svg(on).map(Svg::len);
+    is_empty => svg(on).map(Svg::is_empty);
     to_array => svg(on).map(|path| path.to_array::<5>().map(digests));
     into_iter => svg(on).map(digests);
     [SvgSegments]

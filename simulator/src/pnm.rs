@@ -1,6 +1,6 @@
 //! Pictures as PBM and PGM files: the simplest that other programs read.
 
-use std::{fs, io, path::Path};
+use std::{ffi::OsStr, fs, io, path::Path};
 
 use crate::{picture::Picture, svg::luma};
 
@@ -11,7 +11,7 @@ impl Picture {
     /// As [`write_png`](Self::write_png).
     pub fn write(&self, path: impl AsRef<Path>) -> io::Result<()> {
         let path = path.as_ref();
-        let end = path.extension().map(|end| end.to_ascii_lowercase());
+        let end = path.extension().map(OsStr::to_ascii_lowercase);
         let bytes = match end.as_ref().and_then(|end| end.to_str()) {
             Some("pbm") => self.to_pbm(),
             Some("pgm") => self.to_pgm(),

@@ -1,5 +1,7 @@
 //! Affine maps against their formulas in integers of 128 bits.
 
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "twins in wide integers and floats")]
+
 use embedded_raster::{
     fixed::types::I16F16,
     Affine, Angle,

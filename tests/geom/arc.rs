@@ -1,5 +1,7 @@
 //! Arcs and turned ellipses against the formulas of SVG in floats.
 
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "twins in wide integers and floats")]
+
 use embedded_raster::{
     fixed::types::{I16F16, I24F8},
     geom::{Arc, Curves},

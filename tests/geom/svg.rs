@@ -1,5 +1,7 @@
 //! SVG path data against svgtypes, another reader.
 
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "twins in wide integers and floats")]
+
 use std::fmt::Write;
 
 use embedded_raster::{

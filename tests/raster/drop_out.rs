@@ -38,7 +38,7 @@ fn drawn(
 }
 
 fn check(contours: &[Vec<Units>], rule: FillRule, drop_out: DropOut, slots: usize, window: Rect) -> [usize; 2] {
-    let (inside, on) = drop_outs::pixels(contours, rule, drop_out, window);
+    let [inside, on] = drop_outs::pixels(contours, rule, drop_out, window);
     let wanted: BTreeSet<_> = inside.union(&on).copied().collect();
     let got = drawn(contours, rule, drop_out, slots, window).expect("enough slots");
     assert_eq!(got, wanted, "{drop_out:?}, {rule:?}, {window:?}, {slots} slots: {contours:?}");

@@ -33,7 +33,7 @@ impl Arc {
     /// Its ellipse; `None` for a line or nothing.
     pub fn centred(&self, from: Place, to: Place) -> Option<Centred> {
         let [mut rx, mut ry] = self.radii.map(f64::abs);
-        if from == to || rx == 0.0 || ry == 0.0 {
+        if from[0].to_bits() == to[0].to_bits() && from[1].to_bits() == to[1].to_bits() || rx == 0.0 || ry == 0.0 {
             return None;
         }
         let (sin, cos) = self.degrees.to_radians().sin_cos();
@@ -46,7 +46,7 @@ impl Arc {
         let factor = ((1.0 - square) / square).max(0.0).sqrt();
         let factor = if self.is_large == self.is_clockwise { -factor } else { factor };
         let (cx, cy) = (factor * rx * y / ry, -factor * ry * x / rx);
-        let middle = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
+        let middle = [0, 1].map(|i| f64::midpoint(from[i], to[i]));
         let centre = [cos * cx - sin * cy + middle[0], sin * cx + cos * cy + middle[1]];
         let start = ((y - cy) / ry).atan2((x - cx) / rx);
         let end = ((-y - cy) / ry).atan2((-x - cx) / rx);
@@ -79,7 +79,7 @@ impl Centred {
         let [start, angle] = self.angles;
         let done = ((v.atan2(u) - start) * angle.signum()).rem_euclid(turn);
         // Halfway in what is left out of the whole turn, before and behind change.
-        let done = if done > (turn + angle.abs()) / 2.0 { done - turn } else { done };
+        let done = if done > f64::midpoint(turn, angle.abs()) { done - turn } else { done };
         done / angle.abs()
     }
 }

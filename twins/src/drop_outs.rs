@@ -89,12 +89,7 @@ impl Lines<'_> {
 }
 
 /// The pixels of a window that are inside, or that drop-out control turns on; those that are inside first.
-pub fn pixels(
-    contours: &[Vec<Units>],
-    rule: FillRule,
-    drop_out: DropOut,
-    window: Rect,
-) -> (BTreeSet<(i32, i32)>, BTreeSet<(i32, i32)>) {
+pub fn pixels(contours: &[Vec<Units>], rule: FillRule, drop_out: DropOut, window: Rect) -> [BTreeSet<(i32, i32)>; 2] {
     let (rows, columns) = (Lines { contours, is_column: false }, Lines { contours, is_column: true });
     let (mut inside, mut on) = (BTreeSet::new(), BTreeSet::new());
     for y in window.y0..window.y1 {
@@ -105,5 +100,5 @@ pub fn pixels(
         on.extend((window.y0..=window.y1).filter_map(|y| Some((columns.turned_on(x, y, rule, drop_out)?, x))));
     }
     on.retain(|&(y, x)| (window.x0..window.x1).contains(&x) && (window.y0..window.y1).contains(&y));
-    (inside, on)
+    [inside, on]
 }

@@ -107,6 +107,7 @@ impl File {
     }
 
     /// The pixels that it asks for, from 1 to 4096 in each direction.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is clamped")]
     pub fn size(&self) -> (u16, u16) {
         let [width, height] = self.size.map(|n| n.round().clamp(1.0, 4096.0) as u16);
         (width, height)
@@ -195,13 +196,12 @@ fn segments(data: &str, map: Transform, unknown: &mut BTreeSet<String>) -> Vec<P
 fn unit(unit: LengthUnit) -> f64 {
     match unit {
         LengthUnit::None | LengthUnit::Px => 1.0,
-        LengthUnit::Em => 16.0,
+        LengthUnit::Em | LengthUnit::Pc => 16.0,
         LengthUnit::Ex => 8.0,
         LengthUnit::In => 96.0,
         LengthUnit::Cm => 96.0 / 2.54,
         LengthUnit::Mm => 96.0 / 25.4,
         LengthUnit::Pt => 96.0 / 72.0,
-        LengthUnit::Pc => 16.0,
         LengthUnit::Percent => 0.01,
     }
 }
@@ -347,7 +347,7 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         };
         let points = || {
             let points = PointsParser::from(said.get("points").map_or("", String::as_str));
-            let text: String = points.map(|(x, y)| format!(" {x:.9},{y:.9}")).collect();
+            let text = points.map(|(x, y)| format!("{x:.9},{y:.9}")).collect::<Vec<_>>().join(" ");
             if text.is_empty() {
                 text
             } else {
@@ -448,7 +448,6 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
 
     fn paint(&mut self, text: Option<&str>, inherited: Option<Rgb888>, current: Rgb888) -> Option<Rgb888> {
         match text.map(Paint::from_str) {
-            None => inherited,
             Some(Ok(Paint::None)) => None,
             Some(Ok(Paint::CurrentColor)) => Some(current),
             Some(Ok(Paint::Color(color))) if color.alpha == 0 => None,
@@ -457,7 +456,7 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
                 self.unknown.insert("gradients and patterns".into());
                 Some(self.first_stop(id).unwrap_or(Rgb888::new(128, 128, 128)))
             }
-            Some(Ok(Paint::Inherit | Paint::ContextFill | Paint::ContextStroke)) => inherited,
+            None | Some(Ok(Paint::Inherit | Paint::ContextFill | Paint::ContextStroke)) => inherited,
             Some(Err(_)) => {
                 self.unknown.insert(format!("the colour `{}`", text.unwrap_or_default()));
                 inherited

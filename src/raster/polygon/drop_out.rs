@@ -92,6 +92,7 @@ impl DropOut {
 /// assert_eq!(pixels, [(3, 0), (3, 1), (3, 2)]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
+#[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
 pub fn fill<C>(
     contours: C,
     rule: FillRule,
@@ -151,6 +152,7 @@ where
 }
 
 /// How many slots [`fill`] needs for a polygon: see [`polygon::edge_slots`](super::edge_slots).
+#[expect(clippy::needless_pass_by_value, reason = "iterators are passed by value")]
 pub fn edge_slots<C>(contours: C, window: Rect) -> EdgeSlots
 where
     C: IntoIterator + Clone,
