@@ -59,8 +59,7 @@ impl Ellipse {
     /// let mut ram = [b'.'; 16];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 4)?;
     /// frame.fill_ellipse_fx(Ellipse::circle(PointFx::px(2, 2), px(2)), Gray8::new(b'#'));
-    /// assert_eq!(&ram, b".##.########.##.");
-    /// // The centre of a pixel, and as many pixels on each side.
+    /// // Around the centre of a pixel, with as many pixels on each side.
     /// frame.fill_ellipse_fx(Ellipse::circle(PointFx::centre_of(Point::new(1, 1)), px(1)), Gray8::new(b'o'));
     /// assert_eq!(&ram, b".o#.ooo##o##.##.");
     /// # Ok::<(), embedded_raster::Error>(())
