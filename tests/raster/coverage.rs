@@ -1,9 +1,14 @@
 //! Coverage against exact areas in wide integers: how far off, how often not the nearest level, no pixel tinted that is empty or
 //! full; and the same bytes with any window, table and number of cells.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "small numbers, and sums of small numbers"
+)]
 
 use embedded_raster::{
     raster::coverage::{self, CoverageSlot},
-    EdgeTableFull, FillRule, Path, PathSegment, PointFx, Rect,
+    ClippedSpan, EdgeTableFull, FillRule, Path, PathSegment, PointFx, Rect, Sink,
 };
 use twins::{
     coverage::{area, sides, winding_area, Levels, PIXEL},
@@ -238,6 +243,41 @@ fn many_windings_are_counted() {
     for n in [1, 2, 3, 255, 256, 4_095, 8_191] {
         let wanted = [vec![255, if n == 1 { 128 } else { 255 }], vec![255 * (n % 2) as u8, [0, 128, 255, 128][n % 4]]];
         assert_eq!(RULES.map(|rule| picture(&turns(n), rule, window).levels), [&wanted[0][..], &wanted[1][..]], "{n}");
+    }
+}
+
+/// The sum of all levels.
+struct Sum(u64);
+impl Sink for &mut Sum {
+    fn span(&mut self, span: ClippedSpan) {
+        self.0 += u64::from(span.len()) * 255;
+    }
+
+    fn coverage(&mut self, _: ClippedSpan, levels: &[u8]) {
+        self.0 += levels.iter().map(|&level| u64::from(level)).sum::<u64>();
+    }
+}
+
+/// A window may be as large as the type allows: only what the shape has of it is looked at.
+#[test]
+fn windows_without_end_cost_nothing() {
+    let mut rng = Rng::new(1_440);
+    let endless = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
+    for i in 0..cases(600) {
+        let contours = random_polygon(&mut rng, Scale::Tiny);
+        let rule = RULES[i % 2];
+        let contours: Vec<Vec<PointFx>> = contours.iter().map(|c| vertices(c)).collect();
+        let window = coverage::extent(contours.iter());
+        let sum = |window, cells: &mut [i32]| {
+            let (mut sum, mut table) = (Sum(0), [CoverageSlot::EMPTY; 18]);
+            coverage::fill(contours.iter(), rule, &mut table, cells, window, &mut sum).expect("enough slots");
+            sum.0
+        };
+        let wanted = sum(window, &mut [0; 70]);
+        assert_eq!(sum(endless, &mut []), wanted, "{contours:?}");
+        // Cut off on one side or on two.
+        let half = Rect { x1: i32::MAX, y1: i32::MAX, ..window };
+        assert_eq!(sum(half, &mut [0; 40]), wanted, "{contours:?} in {half:?}");
     }
 }
 

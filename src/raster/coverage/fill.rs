@@ -122,6 +122,7 @@ pub(crate) fn fill_sides(
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
+    let is_cut = Cell::new(false);
     in_bands(
         table,
         window,
@@ -129,9 +130,10 @@ pub(crate) fn fill_sides(
         |band, table| {
             let mut loader = Loader::new(band, table);
             sides(band, &mut loader);
+            is_cut.set(is_cut.get() | loader.is_cut);
             loader.loaded
         },
-        |table, loaded| scan(table, loaded, rule, window, &mut strip, &mut sink),
+        |table, loaded| scan(table, loaded, rule, (window, is_cut.get()), &mut strip, &mut sink),
     )
 }
 
@@ -140,13 +142,15 @@ pub(crate) struct Loader<'a> {
     table: &'a mut [CoverageSlot],
     band: Rect,
     loaded: Loaded,
+    /// There were some on the right: the shape is cut off there.
+    is_cut: bool,
 }
 
 impl<'a> Loader<'a> {
     fn new(band: Rect, table: &'a mut [CoverageSlot]) -> Self {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Band);
-        Self { table, band, loaded: Loaded { count: 0, first: band.y1, end: band.y0 } }
+        Self { table, band, loaded: Loaded { count: 0, first: band.y1, end: band.y0 }, is_cut: false }
     }
 
     /// The side from a to b.
@@ -181,7 +185,11 @@ impl<'a> Loader<'a> {
         let (band, loaded) = (self.band, &mut self.loaded);
         let (top, bottom) = (a.1.min(b.1), a.1.max(b.1));
         let (y, last) = ((top >> 8).max(band.y0), last_row(bottom).min(band.y1.wrapping_sub(1)));
-        if top == bottom || y > last || a.0.min(b.0) >> 8 >= band.x1 {
+        if top == bottom || y > last {
+            return;
+        }
+        if a.0.min(b.0) >> 8 >= band.x1 {
+            self.is_cut = true;
             return;
         }
         loaded.first = loaded.first.min(y);
@@ -225,20 +233,26 @@ fn scan(
     table: &[CoverageSlot],
     loaded: &Loaded,
     rule: FillRule,
-    window: Rect,
+    (window, is_cut): (Rect, bool),
     strip: &mut Strip<'_>,
     sink: &mut impl Sink,
 ) {
     let Some(table) = table.get(..loaded.count) else { return };
     let shift = sort_in(table, loaded);
     let active = Cell::new(END);
-    let width = window.width();
+    // Left of all sides, and right of them, there is nothing.
+    let (mut first, mut end) = (i32::MAX, if is_cut { i32::MAX } else { 0 });
+    for side in table {
+        let (from, to) = side.columns(window);
+        (first, end) = (first.min(from), end.max(to));
+    }
+    let (first, width) = (unsigned(first.max(0)), unsigned(end).min(window.width()));
     for y in loaded.first..loaded.end {
         let passed = unsigned(y.wrapping_sub(loaded.first));
         if passed.wrapping_shr(shift).wrapping_shl(shift) == passed {
             join(table, &active, index(signed(passed.wrapping_shr(shift))));
         }
-        let mut from = 0;
+        let mut from = first;
         while from < width && active.get() != END {
             from = strip.move_to(window.x0, from, width);
             cover(table, &active, y, strip, from >= width);

@@ -117,6 +117,19 @@ impl CoverageSlot {
         self.top >> 8
     }
 
+    /// The columns that it meets from its row on, counted from the left side of the window, and the column after the last.
+    pub(super) fn columns(&self, window: Rect) -> (i32, i32) {
+        let (a, b) = (self.x.get(), self.end_x);
+        let column = |x: i32| {
+            if self.is_far {
+                saturate(i64::from(x >> 8).wrapping_sub(window.x0.into()))
+            } else {
+                x >> GRID_BITS
+            }
+        };
+        (column(a.min(b)), column(a.max(b)).saturating_add(1))
+    }
+
     /// The last row that it meets.
     #[inline(always)]
     pub(super) fn last_row(&self) -> i32 {
