@@ -11,6 +11,7 @@ use twins::rng::Rng;
 
 use super::{
     arc::{self, Sector},
+    coverage::{self, CoverageSlot},
     ellipse::{self, Ellipse},
     line, polygon, rectangle,
     rounded::{self, Radii},
@@ -70,6 +71,27 @@ fn crossings(contour: &[PointFx], window: Rect) -> usize {
     };
     let right = |[a, b]: [PointFx; 2]| i64::from(bits(a).0.min(bits(b).0)) > i64::from(window.x1) * 256 - 128;
     (0..contour.len()).map(side).filter(|&side| !right(side)).map(rows).sum()
+}
+
+/// How many pixels of a window sides may go through at most, those right of it left out: rows, and columns besides.
+fn touched(contour: &[PointFx], window: Rect) -> (usize, usize) {
+    let side = |i: usize| [contour[i], contour[(i + 1) % contour.len()]].map(bits);
+    let seen = |a: i32, b: i32, low: i32, high: i32| {
+        let (first, end) = ((a.min(b) >> 8).max(low), (a.max(b) >> 8).saturating_add(1).min(high));
+        if first < end {
+            end.abs_diff(first) as usize
+        } else {
+            0
+        }
+    };
+    (0..contour.len()).map(side).filter(|[a, b]| a.0.min(b.0) >> 8 < window.x1).fold(
+        (0, 0),
+        |(rows, columns), [a, b]| {
+            let r = seen(a.1, b.1, window.y0, window.y1);
+            let c = if r > 0 { seen(a.0, b.0, window.x0, window.x1) } else { 0 };
+            (rows + r, columns + c)
+        },
+    )
 }
 
 fn log(n: usize) -> usize {
@@ -145,6 +167,9 @@ impl Scene {
         let beside = |extent: Rect| shared(Rect { x0: i32::MIN, x1: i32::MAX, ..extent }, w).0;
         let (rows, (walked, columns)) = (beside(outer), shared(outer, w));
         let (n, crossed) = (contour.len(), crossings(contour, w));
+        let (soft_rows, soft_columns) = touched(contour, w);
+        let tall = shared(coverage::extent([contour]), Rect { x0: i32::MIN, x1: i32::MAX, ..w }).0;
+        let words = tall * (w.width() as usize).div_ceil(32);
         vec![
             ("line", Box::new(move |s| line::draw(a, b, w, s)), 0, 1),
             ("rectangle", Box::new(move |s| rectangle::fill(area, w, s)), 0, 1),
@@ -161,6 +186,18 @@ impl Scene {
                 }),
                 n + 2 * crossed + 3 * (n + crossed.min(n * n)) * log(n),
                 crossed,
+            ),
+            // A side is looked at on each row that it touches, and before, on two rows for each of the shape. It goes through a pixel
+            // on each of them, and one more for each column; and a row has a word for each 32 pixels.
+            (
+                "coverage",
+                Box::new(move |s| {
+                    let (mut table, mut cells) = ([CoverageSlot::EMPTY; 40], vec![0; coverage::cells(65_535)]);
+                    coverage::fill([&contour[..]], FillRule::EvenOdd, &mut table, &mut cells, w, s)
+                        .expect("enough slots");
+                }),
+                n + 2 * tall + 2 * soft_rows + soft_columns + words,
+                3 * (soft_rows + soft_columns) + words + tall,
             ),
         ]
     }
@@ -203,7 +240,7 @@ impl Scene {
 fn work_is_bounded_by_what_the_window_shows() {
     let mut rng = Rng::new(550);
     // How often a shape was seen, and the most of a bound that was needed, in hundredths.
-    let (mut shown, mut used) = (vec![0_usize; 14], vec![0_usize; 14]);
+    let (mut shown, mut used) = (vec![0_usize; 15], vec![0_usize; 15]);
     for _ in 0..4_000 {
         let scene = Scene::random(&mut rng);
         for (i, (name, draw, most, calls)) in scene.straight().into_iter().chain(scene.round()).enumerate() {
