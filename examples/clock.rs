@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example clock` writes `clock.png` and shows it in the terminal; `-- --help` tells the rest. What is drawn
 //! stands in `simulator/src/clock.rs`.
+#![allow(clippy::cast_possible_truncation, reason = "times of a day are small")]
 
 use std::{error::Error, process::ExitCode, time::Instant};
 

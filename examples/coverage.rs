@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example coverage -- --path "M4,4 h20 v20 z" --size 32x32 --out triangle.pgm`
 //! The path is written as in SVG. Bands, strips and clips change nothing of what is drawn: they are here to see that.
+#![allow(clippy::cast_precision_loss, reason = "a sum of levels, shown with three digits")]
 
 use std::{error::Error, fs, process::ExitCode};
 

@@ -1,4 +1,9 @@
 //! An analogue clock with soft rims, on four kinds of screens: each takes another paint, and the drawing is the same.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "places on a screen and two digits are small"
+)]
 
 use embedded_graphics_core::{
     pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888},

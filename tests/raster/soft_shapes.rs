@@ -1,6 +1,10 @@
 //! Coverage of shapes that are not polygons: round shapes against areas under their curves, rectangles against polygons, the
 //! brightness of lines.
-#![allow(clippy::cast_precision_loss, reason = "areas under curves are computed in floating point")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "areas under curves are computed in floating point"
+)]
 
 use embedded_raster::{
     raster::coverage::{self, CoverageSlot},
