@@ -40,12 +40,14 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let file = [format!("P5\n{width} {height}\n255\n").as_bytes(), &levels].concat();
     fs::write(&options.out, file).map_err(|error| format!("{}: {error}", options.out))?;
     let sum: u64 = levels.iter().map(|&level| u64::from(level)).sum();
-    let pixels = |level: u8| levels.iter().filter(|&&l| l == level).count();
-    let partly = levels.len() - pixels(0) - pixels(255);
+    let (mut full, mut partly) = (0, 0);
+    for level in &levels {
+        full += u32::from(*level == u8::MAX);
+        partly += u32::from((1..u8::MAX).contains(level));
+    }
     Ok(format!(
-        "{}: {width} x {height}, {} pixels covered, {partly} in part, {:.3} in all\n",
+        "{}: {width} x {height}, {full} pixels covered, {partly} in part, {:.3} in all\n",
         options.out,
-        pixels(255),
         sum as f64 / 255.0
     ))
 }
