@@ -8,6 +8,8 @@
 //! **Fill rules.** Walking along a row, [`NonZero`](crate::FillRule::NonZero) adds 1 at an edge that goes down, subtracts 1 at
 //! one that goes up, and draws where the sum is not 0; [`EvenOdd`](crate::FillRule::EvenOdd) draws where the count of edges is odd.
 //!
+//! **Soft rims.** [`coverage`] has the same shapes with how much of each pixel they cover.
+//!
 //! **Lines** join two *pixels* and draw both: see [`mod@line`]. Between *places*, to 1/256 pixel: [`line_fx`].
 //!
 //! Every function takes its shape, then options, then scratch memory, then the window that may be drawn, and a

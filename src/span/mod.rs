@@ -4,8 +4,9 @@
 //! it which pixels it has, as
 //! - [spans](ClippedSpan), runs of pixels in one row,
 //! - [areas](Rect), the same run in many rows,
-//! - [`Steps`], the pixels of a line one pixel wide, and
-//! - [`Octants`], the outline of a circle.
+//! - [`Steps`], the pixels of a line one pixel wide,
+//! - [`Octants`], the outline of a circle, and
+//! - [coverage](Sink::coverage), how much of each pixel of a run is covered.
 //!
 //! A [`Span`] may lie anywhere. Clipped once against the window of a surface it becomes a [`ClippedSpan`]. Its fields cannot be
 //! set from outside of the crate, so a shape clips once. Nothing keeps a program from clipping against another rectangle and
