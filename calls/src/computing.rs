@@ -57,7 +57,7 @@ calls! {
     fill => spans(|look| rounded::fill(area, a.radii, window, look));
     outline => spans(|look| rounded::outline(area, a.radii, window, look));
     enclosed => spans(|look| rounded::enclosed(area, a.radii, window, look));
-    border => spans(|look| rounded::border(area, a.radii, n.unsigned_abs(), a.align(), window, look));
+    border => spans(|look| rounded::border(area, a.radii, n.unsigned_abs() % 64, a.align(), window, look));
     [arc]
     outline => spans(|look| arc::outline(area, a.sector, window, look));
     fill => spans(|look| arc::fill(ellipse, a.sector, window, look));

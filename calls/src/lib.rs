@@ -216,9 +216,9 @@ calls! {
     draw_rounded => on.draw_rounded(a.areas[0], a.radii, c);
     fill_rounded => on.fill_rounded(a.areas[0], a.radii, c);
     fill_outlined_rounded => on.fill_outlined_rounded(a.areas[0], a.radii, c);
-    stroke_rounded => on.stroke_rounded(a.areas[0], a.radii, a.numbers[1].unsigned_abs(), a.align(), c);
-    stroke_ellipse => on.stroke_ellipse(a.areas[0], a.numbers[1].unsigned_abs(), a.align(), c);
-    stroke_arc => on.stroke_arc(a.areas[0], a.sector, a.numbers[1].unsigned_abs(), a.align(), c);
+    stroke_rounded => on.stroke_rounded(a.areas[0], a.radii, a.numbers[1].unsigned_abs() % 64, a.align(), c);
+    stroke_ellipse => on.stroke_ellipse(a.areas[0], a.numbers[1].unsigned_abs() % 64, a.align(), c);
+    stroke_arc => on.stroke_arc(a.areas[0], a.sector, a.numbers[1].unsigned_abs() % 64, a.align(), c);
     fill_polygon => on.fill_polygon(a.corners, a.rule(), a.table, c);
     fill_polygon_fx => on.fill_polygon_fx(a.contour, a.rule(), a.table, c);
     fill_contours_fx => on.fill_contours_fx([a.contour, &a.places], a.rule(), a.table, c);
