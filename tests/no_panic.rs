@@ -93,7 +93,8 @@ fn small_shapes_in_windows_without_end() {
 fn every_extreme() {
     let short = ["Rect", "Rectangle", "Span", "ClippedSpan", "PointFx", "Angle", "rectangle", "line", "Steps"];
     // The window may be all of the plane here.
-    let long = ["rectangle::fill", "rectangle::outline", "line::draw"];
+    // The window may be all of the plane here.
+    let long = ["rectangle::fill", "rectangle::outline", "line::draw", "line::line"];
     let (mut random, mut scratch) = (Random::new(112), Scratch::new(112));
     let mut a = scratch.arguments::<Rows<Index1>>(&mut random.input(), Ground::Wild, COLORS);
     let mut others = Rng::new(112);

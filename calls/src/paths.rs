@@ -61,6 +61,7 @@ calls! {
     [Contours]
     new => svg(on).map(|path| sum(Contours::new(path).take(3).map(|contour| sum(contour.take(50)))));
     within => sum(Contours::within(map.path(segments), window).map(sum));
+    finely_within => sum(Contours::finely_within(map.path(segments), window).map(sum));
     [polygon]
     edge_slots => {
         let (first, second) = a.contour.split_at_checked(a.length(5) % 8).unwrap_or((a.contour, &[]));
