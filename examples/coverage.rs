@@ -182,9 +182,9 @@ mod tests {
     #[test]
     fn wrong_arguments_are_told_in_a_line() {
         for (arguments, expected) in [
-            (&["--path", "M0,0 L1"][..], "the path ends too early, at character 8"),
-            (&["--path", "M0,0 X5,5"], "the path goes on with something else at character 6"),
-            (&["--path", "L0,0"], "the path goes on with something else at character 1"),
+            (&["--path", "M0,0 L1"][..], "position 7: a number is expected"),
+            (&["--path", "M0,0 X5,5"], "position 5: a command is expected"),
+            (&["--path", "L0,0"], "position 0: a path begins with M"),
             (&["--size", "8x8"], "--path is missing"),
             (&["--size", "0x8"], r#"cannot parse argument "0x8": --size takes WIDTHxHEIGHT"#),
             (&["--fill", "odd"], r#"cannot parse argument "odd": --fill takes nonzero or evenodd"#),

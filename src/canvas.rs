@@ -175,7 +175,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        along::parts(ends, values, self.window(), |plane, window| {
+        along::parts(ends, values, self.window().intersection(depth.window()), |plane, window| {
             let mut shade = DepthShade::new(depth, plane, &passes, |values, _| Some(color(values)));
             line_fx::draw(ends[0], ends[1], window, |span: ClippedSpan| shade.row(self, span));
         })

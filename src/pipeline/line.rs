@@ -76,7 +76,8 @@ impl<V: Varying> Line<V> {
         let ([a, b], number, [first, last], [p, q]) = (self.places(), self.number, &self.ends, &self.projected);
         let values = [(first, p), (last, q)]
             .map(|(end, projected)| (Z::number(depth::of::<Z>(projected)), (At::default(), end.values)));
-        _ = along::parts([a, b], values, on.window(), |plane, window| {
+        let window = on.window().intersection(depth.window());
+        _ = along::parts([a, b], values, window, |plane, window| {
             let mut shade = DepthShade::new(depth, plane, &passes, |(At(at), values), depth| {
                 fragment(Fragment { at, values, depth, facing: Facing::Front, number })
             });

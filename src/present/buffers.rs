@@ -102,15 +102,15 @@ impl<F: FnMut()> Vsync for F {
 ///
 /// ```
 /// use embedded_raster::{present::Swapchain, Canvas, Framebuffer, Index4, Palette};
-/// use embedded_graphics_core::pixelcolor::Rgb565;
+/// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 ///
 /// // Pixels, and the palette that belongs to them.
-/// let memory = [[0; 16 * 16 / 2], [0; 16 * 16 / 2]].map(|pixels| (pixels, Palette::<Rgb565, 16>::grays()));
+/// let memory = [[0; 16 * 16 / 2], [0; 16 * 16 / 2]].map(|pixels| (pixels, Palette::new([Rgb565::WHITE; 16])));
 /// let mut chain = Swapchain::new(memory);
 /// for t in 0..10 {
 ///     let mut buffer = chain.begin().expect("a flip follows each frame");
 ///     let (pixels, _) = &mut *buffer;
-///     let mut frame = Framebuffer::<Index4>::new(pixels, 16, 16)?;
+///     let mut frame = Framebuffer::<Index4>::new(&mut pixels[..], 16, 16)?;
 ///     frame.clear(Index4::new(0));
 ///     frame.draw_line((0, 0), (15, t), Index4::new(15));
 ///     chain.finish(buffer);

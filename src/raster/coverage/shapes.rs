@@ -1,5 +1,7 @@
 //! The coverage of other shapes than polygons: paths, strokes, rectangles, round shapes.
 
+use fixed::types::I24F8;
+
 use super::{
     fill::{fill, fill_sides, Loader},
     row::Row,
@@ -41,7 +43,7 @@ pub fn path(
     fill_sides(&load, rule, (table, cells), window, sink)
 }
 
-/// Tells what a stroked path covers. A pixel in which pieces of the stroke overlap may count what they share twice: see
+/// Tells what a stroked path covers. A stroke thinner than a pixel covers as much as it is wide. A pixel in which pieces of the stroke overlap may count what they share twice: see
 /// [`coverage`](super) for sides that cross in a pixel. That is at the rims of joins.
 ///
 /// # Errors
@@ -55,11 +57,16 @@ pub fn stroke<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    let segments = path.into_iter();
+    let (segments, stroke) = (path.into_iter(), &thin(stroke));
     let load = |band: Rect, loader: &mut Loader<'_>| {
         path_border(segments.clone(), stroke, band, &mut |a, b| loader.side(a, b));
     };
     fill_sides(&load, FillRule::NonZero, (table, cells), window, sink)
+}
+
+/// The same stroke without a least width: what covers little of a pixel shows little.
+fn thin<D: Dashing>(stroke: &Stroke<D>) -> Stroke<D> {
+    stroke.with_min_width(I24F8::ZERO)
 }
 
 /// Tells what stroked lines cover: from each place to the next, and back to the first one if they are `closed`.
@@ -75,6 +82,7 @@ pub fn stroke_polyline<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
+    let stroke = &thin(stroke);
     let load = |band: Rect, loader: &mut Loader<'_>| {
         polyline_border(places, closed, stroke, band, &mut |a, b| loader.side(a, b));
     };
