@@ -25,7 +25,7 @@ const USAGE: &str = "\
 usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits 1|2|4|8|16|24|32] [--fill nonzero|evenodd|none]
            [--dropout[=simple|smart|simple-no-stubs|smart-no-stubs]]
            [--stroke WIDTH [--cap butt|square|round] [--join miter|bevel|round] [--miter-limit N]
-           [--dash A,B,... [--phase N]] [--min-width]]
+           [--dash A,B,... [--phase N]] [--min-width[=WIDTH]]]
            [--scale F] [--rotate DEG] [--translate X,Y] [--band ROWS] [--slots N] [--out FILE.png|.pbm|.pgm] [--window]
 
 --path DATA      what SVG has in the attribute `d`, drawn in black on white
@@ -40,7 +40,7 @@ usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits
 --miter-limit N  how far a corner may reach, in widths: 4
 --dash LENGTHS   lengths of dashes and gaps, in turn
 --phase N        where in them a contour begins: 0
---min-width      outlines are a pixel wide at least
+--min-width      the least width of outlines: a pixel, also if not told; --min-width=0 for what covers centres of pixels only
 --scale F        so many times as large, widths and dashes too
 --rotate DEG     turned around 0,0 after that, clockwise
 --translate X,Y  moved after that
@@ -135,7 +135,6 @@ struct Options {
     has_outline: bool,
     dashes: Vec<I24F8>,
     phase: I24F8,
-    min_width: bool,
     scale: I16F16,
     rotate: I16F16,
     translate: (I16F16, I16F16),
@@ -156,7 +155,6 @@ impl Default for Options {
             has_outline: false,
             dashes: vec![],
             phase: I24F8::ZERO,
-            min_width: false,
             scale: I16F16::ONE,
             rotate: I16F16::ZERO,
             translate: (I16F16::ZERO, I16F16::ZERO),
@@ -194,7 +192,10 @@ impl Options {
                 Long("miter-limit") => options.stroke.miter_limit = arguments.value()?.parse_with(parse_number)?,
                 Long("dash") => options.dashes = arguments.value()?.parse_with(parse_dashes)?,
                 Long("phase") => options.phase = arguments.value()?.parse_with(parse_number)?,
-                Long("min-width") => options.min_width = true,
+                Long("min-width") => {
+                    let width = arguments.optional_value();
+                    options.stroke.min_width = width.map_or(Ok(I24F8::ONE), |width| width.parse_with(parse_width))?;
+                }
                 Long("scale") => options.scale = arguments.value()?.parse_with(parse_number)?,
                 Long("rotate") => options.rotate = arguments.value()?.parse_with(parse_number)?,
                 Long("translate") => options.translate = arguments.value()?.parse_with(parse_pair)?,
@@ -249,7 +250,7 @@ impl Options {
         let (scale, (x, y)): (f64, _) = (self.scale.to_num(), self.translate);
         let (sin, cos) = self.rotate.to_num::<f64>().to_radians().sin_cos();
         let then = [scale * cos, scale * sin, -scale * sin, scale * cos, x.to_num(), y.to_num()];
-        let mut shapes = file.shapes(size, then, self.min_width);
+        let mut shapes = file.shapes(size, then, self.stroke.min_width);
         for shape in &mut shapes {
             shape.drop_out = self.drop_out;
         }
@@ -270,7 +271,6 @@ impl Options {
             stroke: Stroke { width: scaled(self.stroke.width), ..self.stroke },
             dashes: self.dashes.iter().map(|&length| scaled(length)).collect(),
             phase: scaled(self.phase),
-            min_width: self.min_width,
             color: Rgb888::BLACK,
         });
         let shape = |text: &String| {
@@ -337,7 +337,7 @@ fn parse_number<T: FromStr>(text: &str) -> Result<T, String> {
 
 fn parse_width(text: &str) -> Result<I24F8, String> {
     let width = parse_number(text).ok().filter(|width| (I24F8::ZERO..=I24F8::from_num(65_536)).contains(width));
-    width.ok_or_else(|| "--stroke takes a width from 0 to 65536".into())
+    width.ok_or_else(|| "a width from 0 to 65536 is wanted".into())
 }
 
 fn parse_pair(text: &str) -> Result<(I16F16, I16F16), String> {

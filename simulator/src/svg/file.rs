@@ -115,7 +115,7 @@ impl File {
 
     /// Its shapes on a screen of this size, in the middle and as large as they fit, and then mapped by the six numbers that SVG
     /// calls `matrix`. What turns out to be unknown is added to the rest of it.
-    pub fn shapes(&mut self, (width, height): (u16, u16), then: [f64; 6], min_width: bool) -> Vec<Shape> {
+    pub fn shapes(&mut self, (width, height): (u16, u16), then: [f64; 6], min_width: I24F8) -> Vec<Shape> {
         let [left, top, wide, high] = self.view;
         let (width, height) = (f64::from(width), f64::from(height));
         let scale = (width / wide).min(height / high);
@@ -143,10 +143,10 @@ impl File {
                 stroke: Stroke::new(length(mark.style.width))
                     .with_cap(mark.style.cap)
                     .with_join(mark.style.join)
-                    .with_miter_limit(I24F8::saturating_from_num(mark.style.miter_limit)),
+                    .with_miter_limit(I24F8::saturating_from_num(mark.style.miter_limit))
+                    .with_min_width(min_width),
                 dashes: mark.style.dashes.iter().map(|&n| length(n)).collect(),
                 phase: length(mark.style.phase),
-                min_width,
                 color,
             });
             let fill = mark.style.fill.map(|color| (mark.style.rule, color));
@@ -484,7 +484,7 @@ mod tests {
     fn drawn(body: &str) -> (Vec<[usize; 2]>, Vec<String>) {
         let text = format!("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 20'>{body}</svg>");
         let mut file = File::parse(&text).expect("an SVG file");
-        let shapes = file.shapes(SIZE, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], false);
+        let shapes = file.shapes(SIZE, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], I24F8::ZERO);
         let screen = Screen { width: 20, height: 20, bits: 24, band: 20, slots: 999, paper: Rgb888::WHITE };
         let picture = draw(&shapes, &screen).expect("enough slots").picture;
         let all = (0..20).flat_map(|y| (0..20).map(move |x| [x, y]));

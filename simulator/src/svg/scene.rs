@@ -39,14 +39,12 @@ pub struct Shape {
 /// An outline.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// Its width, ends and corners.
+    /// Its width, least width, ends and corners.
     pub stroke: Stroke,
     /// Lengths of dashes and gaps: none for a solid one.
     pub dashes: Vec<I24F8>,
     /// Where in them it begins.
     pub phase: I24F8,
-    /// Below a width of a pixel it is drawn as an outline of one pixel.
-    pub min_width: bool,
     /// What it is painted with.
     pub color: Rgb888,
 }
@@ -131,14 +129,6 @@ fn more(a: EdgeSlots, b: EdgeSlots) -> EdgeSlots {
     EdgeSlots { whole: a.whole.max(b.whole), least: a.least.max(b.least) }
 }
 
-impl Outline {
-    /// As wide as it is drawn.
-    fn visible(&self) -> Stroke {
-        let least = if self.min_width { I24F8::ONE } else { I24F8::ZERO };
-        Stroke { width: self.stroke.width.max(least), ..self.stroke }
-    }
-}
-
 impl Shape {
     fn slots(&self, window: Rect) -> EdgeSlots {
         let path = Path::new(&self.path);
@@ -147,8 +137,8 @@ impl Shape {
             Some(_) => drop_out::edge_slots(path.contours_in(window.inset(-1)), window),
         });
         let around = self.outline.as_ref().map(|outline| match &outline.dashes[..] {
-            [] => stroke::edge_slots(path, &outline.visible(), window),
-            dashes => stroke::edge_slots(path, &outline.visible().dashed(dashes, outline.phase), window),
+            [] => stroke::edge_slots(path, &outline.stroke, window),
+            dashes => stroke::edge_slots(path, &outline.stroke.dashed(dashes, outline.phase), window),
         });
         more(inside.unwrap_or_default(), around.unwrap_or_default())
     }
@@ -168,7 +158,7 @@ impl Shape {
             }
         }
         let Some(outline) = &self.outline else { return Ok(()) };
-        let (stroke, color) = (outline.visible(), tone(outline.color));
+        let (stroke, color) = (outline.stroke, tone(outline.color));
         match &outline.dashes[..] {
             [] => on.stroke_path_fx(path, &stroke, table, color),
             dashes => on.stroke_path_fx(path, &stroke.dashed(dashes, outline.phase), table, color),
