@@ -121,7 +121,6 @@ fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
 }
 
 #[derive(Debug)]
-#[expect(clippy::struct_excessive_bools, reason = "switches of a command line")]
 struct Options {
     paths: Vec<String>,
     input: Option<String>,

@@ -49,9 +49,8 @@ impl Hazard3 {
             Kind::Jump | Kind::Link => 2,
             Kind::Branch => 1 + u32::from(!self.foresees(outcome)),
             Kind::System => 3,
-            Kind::Data | Kind::Load | Kind::Store { .. } => 1,
-            // In Thumb code only.
-            Kind::FloatDivide | Kind::FloatMultiplyAdd | Kind::Double | Kind::Multiple { .. } | Kind::Table => 1,
+            // Data, loads and stores; all else is in Thumb code only.
+            _ => 1,
         };
         cycles + wait + split
     }

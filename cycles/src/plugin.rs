@@ -131,9 +131,9 @@ extern "C" fn translated(_: u64, block: *mut Block) {
             (code, qemu_plugin_insn_vaddr(code), bytes)
         };
         let half = |at: usize| bytes.get(at..at + 2).map_or(0, |half| u16::from_le_bytes([half[0], half[1]]));
-        let mut core = Core::M4;
-        with(|plugin| core = plugin.core);
-        let (instruction, size) = core.decode(half(0), half(2));
+        let mut table = Core::M4;
+        with(|plugin| table = plugin.core);
+        let (instruction, size) = table.decode(half(0), half(2));
         let step = Step { address, size, instruction };
         // It lives as long as the emulator, which may run the block at any time. There are as many as the program has
         // instructions.

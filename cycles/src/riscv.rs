@@ -72,8 +72,8 @@ const fn compressed(code: u32) -> Instruction {
         (0, 0) => data.writing(low).needing(SP),
         (0, 2) => Instruction::new(Kind::Load).writing(low).needing(high),
         (0, 6) => Instruction::new(STORE).needing(high),
-        // `c.addi`, `c.jal`, `c.li`.
-        (1, 0) => data.writing(rd).needing(rd),
+        // `c.addi`, `c.slli`; `c.jal`, `c.li`.
+        (1 | 2, 0) => data.writing(rd).needing(rd),
         (1, 1) => Instruction::new(Kind::Jump).writing(RA),
         (1, 2) => data.writing(rd),
         // `c.addi16sp`, `c.lui`.
@@ -82,7 +82,6 @@ const fn compressed(code: u32) -> Instruction {
         (1, 4) => data.writing(high).needing(if code >> 10 & 3 == 3 { high | low } else { high }),
         (1, 5) => Instruction::new(Kind::Jump),
         (1, _) => Instruction::new(Kind::Branch).needing(high),
-        (2, 0) => data.writing(rd).needing(rd),
         (2, 2) => Instruction::new(Kind::Load).writing(rd).needing(SP),
         (2, 4) => match (code >> 12 & 1, rd, rs2) {
             (0, _, 1) => Instruction::new(Kind::Jump).needing(rd),

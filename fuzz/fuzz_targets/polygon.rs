@@ -29,10 +29,11 @@ fuzz_target!(|data: &[u8]| {
     });
     // A window without columns has no rows to paint either.
     let rows = if window.is_empty() { 0..0 } else { window.y0..window.y1 };
-    let overflow =
-        rows.map(|row| (row, twins::sides_on_row(&contours, window, row))).find(|&(_, needed)| needed > capacity);
+    let sides = rows.map(|row| (row, twins::sides_on_row(&contours, window, row)));
+    let enough = sides.clone().map(|(_, sides)| sides).max().unwrap_or(0);
+    let overflow = sides.clone().find(|&(_, needed)| needed > capacity);
     if let Some((row, needed)) = overflow {
-        assert_eq!(result, Err(EdgeTableFull { capacity, needed, row }), "{contours:?} in {window:?}");
+        assert_eq!(result, Err(EdgeTableFull { capacity, needed, row, enough }), "{contours:?} in {window:?}");
         assert!(runs.is_empty(), "{runs:?} before {result:?}");
     } else {
         assert_eq!(result, Ok(()), "{contours:?} in {window:?}");

@@ -46,7 +46,6 @@ pub(super) const fn in_range(n: i64) -> i64 {
 /// assert_eq!(map.apply(PointFx::px(3, 1)), PointFx::px(0, 6));
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine {
     /// How much of x is in x'.
     pub xx: I16F16,

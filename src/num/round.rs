@@ -178,7 +178,7 @@ mod tests {
             assert_eq!(by_bits((n >> 32) as u32, n as u32, d.get()), (q, r), "{n} / {d} by bits");
         }
         for d in divisors() {
-            for q in ENDS.map(|q| q as u32) {
+            for q in ENDS.map(i64::cast_unsigned).map(|q| q as u32) {
                 let n = u64::from(q) * u64::from(d.get()) + u64::from(d.get() - 1);
                 assert_eq!(by_digits(n, d), (q, d.get() - 1), "{n} / {d} by digits");
             }

@@ -40,7 +40,6 @@ pub struct Splat<V> {
 
 /// What a point looks like, and how large it is: a side or a diameter, to 1/256 pixel. A number that is not positive is no pixel.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Dot {
     /// A square.
     Square(I24F8),

@@ -75,7 +75,7 @@ fn check<F: PixelFormat, L: Layout<Color = F::Color>>() {
             },
         );
         if rows < height && rows % L::PAGE != 0 {
-            assert_eq!(sent, Err(BufferError::BandSplitsPage { start: 0, end: rows, page: L::PAGE }));
+            assert_eq!(sent, Err(BufferError::BandSplitsPage { start: 0, end: rows, page: L::PAGE }), "{rows} rows");
             continue;
         }
         assert_eq!((sent, next), (Ok(()), i32::from(height)), "{rows} rows");

@@ -71,7 +71,7 @@ impl Part {
     pub fn way_beside(&self, place: Units, along: (i128, i128)) -> (i128, i128) {
         let (mut from, mut to) = (self.from, self.to);
         for _ in 0..12 {
-            let middle = (from + to) / 2;
+            let middle = i128::midpoint(from, to);
             let at = point(&self.points, middle);
             let product = |n: i32, m: i32, u: i128| (i128::from(n) - i128::from(m)) * u.div_euclid(4);
             if product(at.0, place.0, along.0) + product(at.1, place.1, along.1) < 0 {

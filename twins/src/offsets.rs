@@ -82,7 +82,7 @@ impl Model {
         let half = f64::from(pen.width) / 2.0;
         let mut model = Self { pen, half, runs: vec![], corners: vec![], ends: vec![], dots: vec![] };
         let float = |p: (i32, i32)| (f64::from(p.0), f64::from(p.1));
-        let (mut start, mut contour): (Place, Option<(Place, Vec<Vec<Sample>>)>) = ((0.0, 0.0), None);
+        let (mut start, mut contour) = ((0.0, 0.0), None::<(Place, Vec<Vec<Sample>>)>);
         for piece in pieces.iter().chain([&Piece::Move((0, 0))]) {
             let at = contour.as_ref().map_or(start, |(at, _)| *at);
             let points = match *piece {
@@ -146,7 +146,8 @@ impl Model {
                 return false;
             }
             // Where in between it is at a right angle.
-            let t = if along[0] == along[1] { 0.0 } else { along[0] / (along[0] - along[1]) };
+            let length = along[0] - along[1];
+            let t = if length.abs() > 0.0 { along[0] / length } else { 0.0 };
             let at = (s[0].at.0 + t * (s[1].at.0 - s[0].at.0), s[0].at.1 + t * (s[1].at.1 - s[0].at.1));
             (p.0 - at.0).hypot(p.1 - at.1) <= self.half
         })

@@ -212,7 +212,7 @@ impl<'a> Border<'a> {
         let ((x, y), width) = (bits(at), i64::from(self.pen.width));
         let half = saturate(width >> 1);
         let (first, end) = (first_centre_from(y.saturating_sub(half)), first_centre_after(y.saturating_add(half)));
-        let closed = (x | y) & 127 == 0;
+        let closed = (x | y).trailing_zeros() >= 7;
         for row in first.max(self.pen.rows.0)..end.min(self.pen.rows.1) {
             // Twice the distance of its centre: at most the width.
             let centre = row << 8 | 128;

@@ -190,7 +190,7 @@ struct Length {
     u: Direction,
     straight: u64,
     /// As long as the curve, which may be a little more.
-    length: u64,
+    whole: u64,
     s: u64,
 }
 
@@ -219,7 +219,7 @@ impl Length {
         let [start, end] = self.side.ways;
         match outline.curve() {
             _ if s == 0 => start,
-            Some(curve) if start != end && s != self.length => {
+            Some(curve) if start != end && s != self.whole => {
                 Direction::of(curve.way_beside(at, (self.u.x, self.u.y))).unwrap_or(self.u)
             }
             _ => end,
@@ -249,8 +249,8 @@ impl Follow for Cutter<'_, '_> {
         let skipped = self.pattern.rest(mem::take(&mut self.skipped));
         self.pattern.advance(&mut self.at, skipped);
         let (straight, more) = measure(a, b, outline);
-        let mut length = Length { side: *side, u, straight, length: straight.wrapping_add(more), s: 0 };
-        while length.s != length.length {
+        let mut length = Length { side: *side, u, straight, whole: straight.wrapping_add(more), s: 0 };
+        while length.s != length.whole {
             self.cut(&mut length, outline);
         }
     }
@@ -305,14 +305,14 @@ impl Cutter<'_, '_> {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Dash);
         let (s, side) = (length.s, length.side);
-        let (from, mut left) = (length.at(s), length.length.wrapping_sub(s));
+        let (from, mut left) = (length.at(s), length.whole.wrapping_sub(s));
         // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
         if s > 0 {
             let mut beside = self.sight.beside(from).min(left);
             if self.sight.hides(from, side.b) {
                 if self.sight.hides_corner(side.b) {
                     self.skip(left);
-                    length.s = length.length;
+                    length.s = length.whole;
                     // What was on has ended at `from`, so there is nothing open.
                     return self.border.hidden(from, side.b, outline);
                 }
@@ -331,15 +331,15 @@ impl Cutter<'_, '_> {
         if ends {
             self.pattern.next(&mut self.at);
         }
-        if !on {
-            // The next dash has a cap, even if what came before cannot be seen.
-            self.border.stop();
-        } else {
+        if on {
             self.dash(length, (s, from), outline);
             self.has_ended = ends;
-            if length.s != length.length {
+            if length.s != length.whole {
                 self.end();
             }
+        } else {
+            // The next dash has a cap, even if what came before cannot be seen.
+            self.border.stop();
         }
     }
 

@@ -162,15 +162,14 @@ pub(super) fn follow<O: Outline>(mut outline: O, sight: Sight, is_thin: bool, to
     let mut last = Knot { at: start, smooth: false };
     let (mut way, mut moved, mut done) = (None, false, false);
     while !done {
-        let knot = match outline.next_place() {
-            Some((at, smooth)) => Knot { at, smooth },
-            None => {
-                done = true;
-                if !outline.is_closed() {
-                    break;
-                }
-                Knot { at: start, smooth: false }
+        let knot = if let Some((at, smooth)) = outline.next_place() {
+            Knot { at, smooth }
+        } else {
+            done = true;
+            if !outline.is_closed() {
+                break;
             }
+            Knot { at: start, smooth: false }
         };
         if knot.at == last.at {
             // The same place again makes no side. It is smooth if both are.
