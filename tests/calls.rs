@@ -32,6 +32,11 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Outline", "the same"),
     ("Error", "it wraps another error"),
     ("Frame::clone", "a copy"),
+    ("Swapchain::begin_async", "a future panics when it is polled after its end, as all do"),
+    ("bands::for_each_band_async", "the same"),
+    ("Queues", "queues of the crate heapless, which keep a check of their own; `present` tries all that can happen"),
+    ("Drawer", "the same"),
+    ("Display", "the same"),
     // Colours: a few bits from and to others, without coordinates and without memory.
     ("$name", "every index and every colour that a macro makes"),
     ("$raw", "out of them"),

@@ -1,13 +1,8 @@
-//! The list of everything that hands frames to a display: buffers and bands.
-
-use core::{
-    future::Future,
-    pin::pin,
-    task::{Context, Poll, Waker},
-};
+//! The list of what hands frames to a display: buffers and bands. Futures are not in it, as all of them panic when they are polled
+//! again after their end; nor are queues, which are those of the crate heapless.
 
 use embedded_raster::{
-    present::{for_each_band, for_each_band_async, Bands, Buffer, Queues, Swapchain, Vsync},
+    present::{for_each_band, Bands, Buffer, Swapchain, Vsync},
     surface::Rows,
     BufferError, Frame, Index4,
 };
@@ -52,11 +47,7 @@ calls! { a;
     "Swapchain::new", "Swapchain::begin", "Swapchain::finish", "Swapchain::cancel", "Swapchain::flip", "Swapchain::shown" => {
         chained::<1>(a).wrapping_add(chained::<2>(a)).wrapping_add(chained::<3>(a))
     };
-    "Swapchain::begin_blocking", "Swapchain::begin_async", "Vsync::wait" => waited(a);
-    "Queues::new", "Queues::default", "Queues::split", "Drawer::begin", "Drawer::finish", "Drawer::cancel", "Drawer::hand_over",
-    "Display::flip", "Display::shown", "Drawer::begin_blocking", "Drawer::begin_async" => {
-        queued::<2, 3>(a).wrapping_add(queued::<3, 4>(a)).wrapping_add(queued::<1, 5>(a))
-    };
+    "Swapchain::begin_blocking", "Vsync::wait" => waited(a);
     "Bands::new", "Bands::next_band" => {
         let [width, height, rows] = a.size;
         let mut memory = [0; 96];
@@ -69,28 +60,16 @@ calls! { a;
         }
         sum
     };
-    "bands::for_each_band", "bands::for_each_band_async" => {
+    "bands::for_each_band" => {
         let [width, height, rows] = a.size;
-        let (mut memory, mut other, mut sum) = ([0; 96], [0; 96], 0_u32);
-        // The display refuses after some.
-        let mut left = [40; 2];
-        let refused = BufferError::TooSmall { needed: 1, given: 0 };
-        let mut take = |i: usize| {
-            let left = left.get_mut(i).and_then(|left: &mut u32| left.checked_sub(1).map(|next| *left = next));
-            left.ok_or(refused)
-        };
+        let (mut memory, mut left) = ([0; 96], 40_u32);
         let draw = |band: &mut Frame<&mut [u8], Rows<Index4>>| band.clear(Index4::new(3));
-        let first = for_each_band(&mut memory, width, height, rows, draw, |_| take(0));
-        let second = for_each_band_async(
-            [&mut memory, &mut other],
-            width,
-            height,
-            rows,
-            |band: &mut Frame<&mut [u8], Rows<Index4>>| sum = sum.wrapping_add(band.window().y0.cast_unsigned()),
-            async |_| take(1),
-        );
-        let second = poll(second);
-        sum.wrapping_add(first.is_ok().into()).wrapping_add(second.is_some_and(|result| result.is_ok()).into())
+        // The display refuses after some.
+        let sent = for_each_band(&mut memory, width, height, rows, draw, |_| {
+            left = left.checked_sub(1).ok_or(BufferError::TooSmall { needed: 1, given: 0 })?;
+            Ok::<(), BufferError>(())
+        });
+        left.wrapping_add(sent.is_ok().into())
     };
 }
 
@@ -100,17 +79,6 @@ fn digest(buffer: &Buffer<u8>) -> u32 {
         .map_or(0, |age| age.get().wrapping_add(buffer.frame()))
         .wrapping_mul(31)
         .wrapping_add((**buffer).into())
-}
-
-/// Polls some times; whoever is not ready then is dropped.
-fn poll<T>(future: impl Future<Output = T>) -> Option<T> {
-    let mut future = pin!(future);
-    for _ in 0..4 {
-        if let Poll::Ready(result) = future.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
-            return Some(result);
-        }
-    }
-    None
 }
 
 fn chained<const N: usize>(a: &Arguments) -> u32 {
@@ -136,13 +104,9 @@ fn waited(a: &Arguments) -> u32 {
     let (mut chain, mut sum) = (Swapchain::new([7; 2]), 0_u32);
     for operation in a.operations {
         let mut waits = 0_u32;
-        let begun = if operation & 1 == 0 {
-            let mut vsync = || waits = waits.wrapping_add(1);
-            vsync.wait();
-            chain.begin_blocking(&mut vsync, |shown| sum = sum.wrapping_add(digest(shown)))
-        } else {
-            poll(chain.begin_async(async || waits = waits.wrapping_add(1), |_| ())).flatten()
-        };
+        let mut vsync = || waits = waits.wrapping_add(1);
+        vsync.wait();
+        let begun = chain.begin_blocking(&mut vsync, |shown| sum = sum.wrapping_add(digest(shown)));
         sum = sum.wrapping_add(waits);
         match begun {
             Some(buffer) if operation & 2 == 0 => chain.finish(buffer),
@@ -151,34 +115,4 @@ fn waited(a: &Arguments) -> u32 {
         }
     }
     sum
-}
-
-fn queued<const M: usize, const N: usize>(a: &Arguments) -> u32 {
-    let mut queues = if M == 2 { Queues::<u8, N>::new() } else { Queues::default() };
-    let Ok((mut drawer, mut display)) = queues.split([7; M]) else { return 3 };
-    let (mut drawn, mut sum) = (None, 0_u32);
-    for operation in a.operations {
-        match (operation & 7, drawn.take()) {
-            (0, None) => drawn = drawer.begin(),
-            // One buffer is free, or is the moment after.
-            (1, None) => {
-                drawn = drawer.begin_blocking(|| {
-                    display.flip();
-                });
-            }
-            // Nobody flips meanwhile: it is given up.
-            (2, None) => drawn = poll(drawer.begin_async(core::future::pending)).flatten(),
-            (0..=3, Some(buffer)) => drawer.finish(buffer),
-            (4, Some(buffer)) => drawer.cancel(buffer),
-            (5, other) => {
-                drawn = other;
-                drawer.hand_over();
-            }
-            (_, other) => {
-                drawn = other;
-                sum = sum.wrapping_mul(31).wrapping_add(display.flip().map_or(1, digest));
-            }
-        }
-    }
-    sum.wrapping_add(display.shown().map_or(0, digest))
 }

@@ -257,7 +257,7 @@ impl<'a> Reader<'a> {
                 0x20 => return Err(SvgExpected::Move),
                 b'z' => return Err(SvgExpected::Command),
                 // What follows the arguments of a move are lines: the letter before M is L.
-                b'm' => self.letter -= 1,
+                b'm' => self.letter = self.letter.wrapping_sub(1),
                 _ => {}
             }
             if next == b',' {
@@ -338,7 +338,7 @@ impl<'a> Reader<'a> {
             }
             b'a' => {
                 // Whole turns drop out of the degrees.
-                let degrees = narrow(c >> 16) % 360 * (1 << 16) + narrow(c & 0xffff);
+                let degrees = (narrow(c >> 16) % 360 << 16).wrapping_add(narrow(c & 0xffff));
                 let rotation = Angle::degrees_fx(I16F16::from_bits(degrees));
                 Command::Arc(FineArc { radii: (a, b), rotation, is_large: d != 0, is_clockwise: e != 0 }, from, to)
             }
@@ -483,7 +483,7 @@ impl<'a> Reader<'a> {
         }
         let (units, rest) = TO_FRACTION.div_rem((part as u64) << 16);
         let up = (rest >= BILLION.get() >> 1) as u32;
-        signed_wide(((whole as u64) << 16) + (units.wrapping_add(up)) as u64)
+        signed_wide(((whole as u64) << 16).wrapping_add(units.wrapping_add(up) as u64))
     }
 }
 

@@ -190,7 +190,7 @@ fn cut(n: u64, more: u64) -> u64 {
 /// So many times as much, for a factor below 2^16.
 #[inline(always)]
 fn times(n: u128, factor: u32) -> u128 {
-    let words = [0, 32, 64, 96].map(|bit: u32| low_u32(low_u64(n >> bit)));
+    let words = [0, 32, 64, 96].map(|bit: u32| low_u32(low_u64(n.wrapping_shr(bit))));
     times_small(words, factor).into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 

@@ -297,9 +297,10 @@ fn level(sum: i32, rule: FillRule) -> u8 {
 fn short_ratio(mut n: u64, d: u64) -> (u32, u64) {
     let mut quotient = 0;
     for bit in (0..=GRID_BITS).rev() {
-        if n >= d << bit {
-            n = n.wrapping_sub(d << bit);
-            quotient |= 1 << bit;
+        let part = d.wrapping_shl(bit);
+        if n >= part {
+            n = n.wrapping_sub(part);
+            quotient |= 1_u32.wrapping_shl(bit);
         }
     }
     (quotient, n)
