@@ -338,7 +338,7 @@ impl<'a> Reader<'a> {
             }
             b'a' => {
                 // Whole turns drop out of the degrees.
-                let degrees = (narrow(c >> 16) % 360 << 16).wrapping_add(narrow(c & 0xffff));
+                let degrees = ((narrow(c >> 16) % 360) << 16).wrapping_add(narrow(c & 0xffff));
                 let rotation = Angle::degrees_fx(I16F16::from_bits(degrees));
                 Command::Arc(FineArc { radii: (a, b), rotation, is_large: d != 0, is_clockwise: e != 0 }, from, to)
             }
