@@ -1,7 +1,7 @@
 //! Cycles of a section of a program, from what the emulator sees of it.
 
-use crate::instruction::Instruction;
-use crate::model::{unaligned, Core, Model, Outcome};
+use crate::instruction::{Instruction, Outcome};
+use crate::model::{unaligned, Core, Model};
 
 /// An instruction at its place.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

@@ -22,8 +22,7 @@
 //! Source: L. Wren, "Hazard3", section "Instruction Cycle Counts", for `MULDIV_UNROLL` 2 and all else set for performance, as in
 //! RP2350.
 
-use crate::instruction::{Instruction, Kind, Registers};
-use crate::model::Outcome;
+use crate::instruction::{Instruction, Kind, Outcome, Registers};
 
 /// Cycles of one instruction after the other.
 #[derive(Clone, Debug)]

@@ -1,4 +1,5 @@
-//! An instruction, as far as its time depends on it: what kind it is, what it writes, and which registers it needs early.
+//! An instruction, as far as its time depends on it: what kind it is, what it writes, which registers it needs early, and what came
+//! of it.
 
 /// A set of registers: bit `n` is register `n`.
 pub type Registers = u32;
@@ -70,4 +71,21 @@ impl Instruction {
     pub(crate) const fn needing(self, needs: Registers) -> Self {
         Self { needs, ..self }
     }
+}
+
+/// What is known of an instruction when the next one starts.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// Where it is.
+    pub address: u64,
+    /// Where the next one is.
+    pub next: u64,
+    /// How many bytes that one has.
+    pub next_size: u8,
+    /// The next instruction is not the one that follows it in memory.
+    pub taken: bool,
+    /// It went to memory. What should have, and did not, was in an `it` block.
+    pub accessed: bool,
+    /// Cycles for an address that is not aligned: see [`unaligned`](crate::model::unaligned).
+    pub unaligned: u32,
 }

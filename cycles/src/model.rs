@@ -39,7 +39,7 @@
 //! 3.3.
 
 use crate::hazard3::Hazard3;
-use crate::instruction::{Instruction, Kind, Registers, PC};
+use crate::instruction::{Instruction, Kind, Outcome, Registers, PC};
 use crate::{riscv, thumb};
 
 /// Whose table.
@@ -61,23 +61,6 @@ impl Core {
             Self::Hazard3 => (riscv::decode(first, second), riscv::size(first)),
         }
     }
-}
-
-/// What is known of an instruction when the next one starts.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub struct Outcome {
-    /// Where it is.
-    pub address: u64,
-    /// Where the next one is.
-    pub next: u64,
-    /// How many bytes that one has.
-    pub next_size: u8,
-    /// The next instruction is not the one that follows it in memory.
-    pub taken: bool,
-    /// It went to memory. What should have, and did not, was in an `it` block.
-    pub accessed: bool,
-    /// Cycles for an address that is not aligned: see [`unaligned`].
-    pub unaligned: u32,
 }
 
 /// Cycles more for an access of `1 << shift` bytes at this address.
