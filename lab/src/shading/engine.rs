@@ -200,7 +200,7 @@ fn shade<V: Varying>(
 
 pub(super) fn gouraud() -> Ways {
     use Origin::{Crate, Textbook};
-    let entries = vec![
+    vec![
         entry("barycentric", "f32, barycentric, per pixel", Textbook, plain(|f, t| gouraud::barycentric(f, SIZE, t))),
         entry("floats", "f32, row by row", Textbook, plain(|f, t| gouraud::float_rows(f, SIZE, t))),
         entry(
@@ -219,15 +219,14 @@ pub(super) fn gouraud() -> Ways {
         entry("plane24", "fixed point 40.24, plane", Textbook, plain(|f, t| gouraud::plane::<i64, 24>(f, SIZE, t))),
         entry("fast", "this crate, `Fast`", Crate, own(|f, t| shade(f, t, |c| Fast(color(c)), |Fast(color)| color))),
         entry("exact", "this crate", Crate, own(|f, t| shade(f, t, color, |color| color))),
-    ];
-    with_peers(entries, |peers| peers.gouraud)
+    ]
 }
 
 pub(super) fn depth16() -> Ways {
     use Origin::{Crate, Textbook};
     let (frame, depths) = (vec![WHITE; PIXELS], vec![u16::MAX; PIXELS]);
     let draw = |f: &mut [u16], z: &mut [u16], t: &Triangle| depth::fixed_rows(f, z, SIZE, t);
-    let entries = vec![
+    vec![
         entry(
             "barycentric",
             "f32, barycentric, per pixel",
@@ -242,13 +241,12 @@ pub(super) fn depth16() -> Ways {
             Deep { frame, depths, far: u16::MAX, read: u32::from, draw },
         ),
         entry("exact", "this crate", Crate, OwnDeep::new(|corner| corner.depth as u16)),
-    ];
-    with_peers(entries, |peers| peers.depth16)
+    ]
 }
 
 pub(super) fn depth32() -> Ways {
     use Origin::{Crate, Textbook};
-    let entries = vec![
+    vec![
         entry(
             "barycentric",
             "f32, barycentric, per pixel",
@@ -257,8 +255,7 @@ pub(super) fn depth32() -> Ways {
         ),
         entry("floats", "f32, row by row", Textbook, deep_floats(|f, z, t| depth::float_rows(f, z, SIZE, t))),
         entry("exact", "this crate", Crate, OwnDeep::new(|corner| corner.depth)),
-    ];
-    with_peers(entries, |peers| peers.depth32)
+    ]
 }
 
 /// The side of the texture is `1 << TEXTURE`.
@@ -301,7 +298,7 @@ pub(super) fn perspective() -> Ways {
     use Origin::{Crate, Textbook};
     let texels: &'static [u16] = texels().leak();
     let tile = Tile { texels, bits: TEXTURE };
-    let entries = vec![
+    vec![
         entry("floats", "f32, a division per pixel", Textbook, plain(move |f, t| texture::each(f, SIZE, t, tile))),
         entry("floats16", "f32, runs of 16", Textbook, plain(move |f, t| texture::runs::<16>(f, SIZE, t, tile))),
         entry(
@@ -320,8 +317,7 @@ pub(super) fn perspective() -> Ways {
             Crate,
             textured(|c| Perspective { w: I16F16::from_num(c.w), value: Fast(place(c)) }, |at| at.value.0),
         ),
-    ];
-    with_peers(entries, |peers| peers.perspective)
+    ]
 }
 
 /// The ways of the peers.
@@ -331,16 +327,4 @@ pub(super) struct Peers {
     pub(super) depth16: Ways,
     pub(super) depth32: Ways,
     pub(super) perspective: Ways,
-}
-
-#[cfg(feature = "peers-3d")]
-fn with_peers(mut entries: Ways, which: fn(Peers) -> Ways) -> Ways {
-    entries.extend(which(super::peers::all()));
-    entries
-}
-
-#[cfg(not(feature = "peers-3d"))]
-fn with_peers(mut entries: Ways, which: fn(Peers) -> Ways) -> Ways {
-    entries.extend(which(Peers::default()));
-    entries
 }

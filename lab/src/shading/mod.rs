@@ -50,22 +50,35 @@ pub(crate) struct Shaded {
 
 pub(crate) type Ways = Vec<Entry<Shaded, Drawn>>;
 
+#[cfg(feature = "peers-3d")]
+fn with_peers(mut entries: Ways, which: fn(engine::Peers) -> Ways) -> Ways {
+    entries.extend(which(peers::all()));
+    entries
+}
+
+/// A lab without peers.
+#[cfg(not(feature = "peers-3d"))]
+fn with_peers(entries: Ways, _: fn(engine::Peers) -> Ways) -> Ways {
+    entries
+}
+
 pub(crate) fn gouraud(quick: bool) -> Family<Shaded> {
-    let (entries, workloads) = (engine::gouraud(), workload::gouraud(quick));
+    let (entries, workloads) = (with_peers(engine::gouraud(), |peers| peers.gouraud), workload::gouraud(quick));
     Family { key: "gouraud", title: "Colours", entries, workloads }
 }
 
 pub(crate) fn depth16(quick: bool) -> Family<Shaded> {
-    let (entries, workloads) = (engine::depth16(), workload::depth(quick, 16));
+    let (entries, workloads) = (with_peers(engine::depth16(), |peers| peers.depth16), workload::depth(quick, 16));
     Family { key: "depth16", title: "Depths of 16 bits", entries, workloads }
 }
 
 pub(crate) fn depth32(quick: bool) -> Family<Shaded> {
-    let (entries, workloads) = (engine::depth32(), workload::depth(quick, 32));
+    let (entries, workloads) = (with_peers(engine::depth32(), |peers| peers.depth32), workload::depth(quick, 32));
     Family { key: "depth32", title: "Depths of 32 bits", entries, workloads }
 }
 
 pub(crate) fn perspective(quick: bool) -> Family<Shaded> {
-    let (entries, workloads) = (engine::perspective(), workload::perspective(quick));
+    let (entries, workloads) =
+        (with_peers(engine::perspective(), |peers| peers.perspective), workload::perspective(quick));
     Family { key: "perspective", title: "Textures in perspective", entries, workloads }
 }
