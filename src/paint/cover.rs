@@ -7,11 +7,11 @@
 //! The old colour is read from the surface. Where nothing can be read, as on a display behind a driver, [`Over`] takes the colour
 //! of the background instead.
 
-use super::traits::Paint;
+use super::{solid::in_one_color, traits::Paint};
 use crate::{
     num::cast::index,
     pixel::Channels,
-    span::{ClippedSpan, Octants, Rect, Steps},
+    span::ClippedSpan,
     surface::{Readable, Surface},
 };
 
@@ -39,31 +39,13 @@ impl<S: Readable> Paint<S> for Cover<S::Color>
 where
     S::Color: Channels,
 {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.0);
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.0);
-    }
+    in_one_color!(|paint| paint.0);
 
     // Not inlined: the loops of a shape have no registers to spare, and there is a call of this for each rim only.
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
         let color = self.0;
         on.edit_span(span, |x, old| Channels::between([old, color], level_at(levels, span, x)));
-    }
-
-    #[inline(always)]
-    fn steps(&mut self, on: &mut S, steps: Steps) {
-        on.fill_steps(steps, self.0);
-    }
-
-    #[inline(always)]
-    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
-        on.fill_octants(octants, self.0)
     }
 }
 
@@ -136,29 +118,11 @@ impl<S: Surface> Paint<S> for Over<S::Color>
 where
     S::Color: Channels,
 {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.color);
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.color);
-    }
+    in_one_color!(|paint| paint.color);
 
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
         let ends = [self.background, self.color];
         on.write_span(span, |x| Channels::between(ends, level_at(levels, span, x)));
-    }
-
-    #[inline(always)]
-    fn steps(&mut self, on: &mut S, steps: Steps) {
-        on.fill_steps(steps, self.color);
-    }
-
-    #[inline(always)]
-    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
-        on.fill_octants(octants, self.color)
     }
 }

@@ -7,11 +7,11 @@
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::RgbColor};
 
-use super::{cover::level_at, dither::Bayer, traits::Paint};
+use super::{cover::level_at, dither::Bayer, solid::in_one_color, traits::Paint};
 use crate::{
     num::cast::{low_u32, low_u8},
     pixel::{Channels, Palette},
-    span::{ClippedSpan, Octants, Rect, Steps},
+    span::ClippedSpan,
     surface::{Readable, Surface},
 };
 
@@ -87,29 +87,11 @@ fn level_of(step: usize, n: usize) -> u8 {
 }
 
 impl<S: Surface, const N: usize> Paint<S> for Ramp<S::Color, N> {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.shape());
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.shape());
-    }
+    in_one_color!(|paint| paint.shape());
 
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
         on.write_span(span, |x| self.color(level_at(levels, span, x)));
-    }
-
-    #[inline(always)]
-    fn steps(&mut self, on: &mut S, steps: Steps) {
-        on.fill_steps(steps, self.shape());
-    }
-
-    #[inline(always)]
-    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
-        on.fill_octants(octants, self.shape())
     }
 }
 
@@ -148,15 +130,7 @@ where
     P: RgbColor + Channels,
     F: Fn(u8) -> S::Color,
 {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.color);
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.color);
-    }
+    in_one_color!(|paint| paint.color);
 
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
@@ -185,15 +159,7 @@ where
 pub struct Dithered<C, const N: u32>(pub C);
 
 impl<S: Surface, const N: u32> Paint<S> for Dithered<S::Color, N> {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.0);
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.0);
-    }
+    in_one_color!(|paint| paint.0);
 
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
@@ -201,15 +167,5 @@ impl<S: Surface, const N: u32> Paint<S> for Dithered<S::Color, N> {
             let shade = Bayer::<N>::shade(level_at(levels, span, x), 1, Point::new(x, span.y()));
             (shade != 0).then_some(self.0)
         });
-    }
-
-    #[inline(always)]
-    fn steps(&mut self, on: &mut S, steps: Steps) {
-        on.fill_steps(steps, self.0);
-    }
-
-    #[inline(always)]
-    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
-        on.fill_octants(octants, self.0)
     }
 }

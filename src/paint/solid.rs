@@ -1,33 +1,42 @@
 //! [`Solid`]: one colour.
 
 use super::traits::Paint;
-use crate::{
-    span::{ClippedSpan, Octants, Rect, Steps},
-    surface::Surface,
-};
+use crate::surface::Surface;
+
+/// The methods of a paint that has one colour wherever a shape covers pixels as a whole: it is told how to find the colour.
+macro_rules! in_one_color {
+    (|$paint:ident| $color:expr) => {
+        #[inline(always)]
+        fn span(&mut self, on: &mut S, span: $crate::span::ClippedSpan) {
+            let $paint = &*self;
+            on.fill_span(span, $color);
+        }
+
+        #[inline(always)]
+        fn area(&mut self, on: &mut S, area: $crate::span::Rect) {
+            let $paint = &*self;
+            on.fill_area(area, $color);
+        }
+
+        #[inline(always)]
+        fn steps(&mut self, on: &mut S, steps: $crate::span::Steps) {
+            let $paint = &*self;
+            on.fill_steps(steps, $color);
+        }
+
+        #[inline(always)]
+        fn octants(&mut self, on: &mut S, octants: $crate::span::Octants) -> bool {
+            let $paint = &*self;
+            on.fill_octants(octants, $color)
+        }
+    };
+}
+pub(super) use in_one_color;
 
 /// One colour for all pixels.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Solid<C>(pub C);
 
 impl<S: Surface + ?Sized> Paint<S> for Solid<S::Color> {
-    #[inline(always)]
-    fn span(&mut self, on: &mut S, span: ClippedSpan) {
-        on.fill_span(span, self.0);
-    }
-
-    #[inline(always)]
-    fn area(&mut self, on: &mut S, area: Rect) {
-        on.fill_area(area, self.0);
-    }
-
-    #[inline(always)]
-    fn steps(&mut self, on: &mut S, steps: Steps) {
-        on.fill_steps(steps, self.0);
-    }
-
-    #[inline(always)]
-    fn octants(&mut self, on: &mut S, octants: Octants) -> bool {
-        on.fill_octants(octants, self.0)
-    }
+    in_one_color!(|paint| paint.0);
 }
