@@ -20,7 +20,7 @@ use twins::{
     rng::{cases, Rng},
 };
 
-use crate::stages::{body, corner, pipeline, HEIGHT, WIDTH};
+use crate::stages::{body, compare_bands, corner, pipeline, HEIGHT, WIDTH};
 
 const SIZE: (u16, u16) = (WIDTH as u16, HEIGHT as u16);
 
@@ -145,24 +145,7 @@ fn bands_show_the_whole() {
                 point.draw_depth(dot, frame, depth, depth::less, |fragment| Some(Gray8::new(fragment.values)));
             });
         };
-        let (mut ram, mut depth_ram) = (vec![0; 48 * 36], vec![0; 48 * 36 * 2]);
-        let mut frame = Framebuffer::<Gray8>::new(&mut ram, SIZE.0, SIZE.1).unwrap();
-        let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, SIZE.0, SIZE.1).unwrap();
-        draw(&mut frame, &mut buffer);
-        for rows in [1, 5, 16] {
-            for start in (0..SIZE.1).step_by(rows.into()) {
-                let band = start..(start + rows).min(SIZE.1);
-                let (mut ram, mut depth_ram) = (vec![0; 48 * 16], vec![0; 48 * 16 * 2]);
-                let mut part = Framebuffer::<Gray8>::band(&mut ram, SIZE.0, SIZE.1, band.clone()).unwrap();
-                let mut part_buffer =
-                    DepthBuffer::<Depth16>::band(&mut depth_ram, SIZE.0, SIZE.1, band.clone()).unwrap();
-                draw(&mut part, &mut part_buffer);
-                for at in band.flat_map(|y| (0..WIDTH).map(move |x| Point::new(x, y.into()))) {
-                    assert_eq!(part.get(at), frame.get(at), "{lines:?} {points:?} at {at}");
-                    assert_eq!(part_buffer.get(at), buffer.get(at), "{lines:?} {points:?} at {at}");
-                }
-            }
-        }
+        compare_bands(draw, &|| format!("{lines:?} {points:?}"));
     }
 }
 

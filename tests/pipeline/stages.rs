@@ -245,10 +245,35 @@ fn a_floor_that_is_cut_has_no_cracks() {
     assert!(seen > 10_000, "{seen} pixels");
 }
 
+/// Draws the whole and bands of it: colours and depths are the same.
+pub(crate) fn compare_bands(
+    draw: impl Fn(&mut Framebuffer<'_, Gray8>, &mut DepthBuffer<'_, Depth16>),
+    what: &dyn Fn() -> String,
+) {
+    let size = (WIDTH as u16, HEIGHT as u16);
+    let (mut ram, mut depth_ram) = (vec![0; 48 * 36], vec![0; 48 * 36 * 2]);
+    let mut frame = Framebuffer::<Gray8>::new(&mut ram, size.0, size.1).unwrap();
+    let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, size.0, size.1).unwrap();
+    draw(&mut frame, &mut buffer);
+    for rows in [1, 5, 16] {
+        for start in (0..size.1).step_by(rows.into()) {
+            let band = start..(start + rows).min(size.1);
+            let (mut ram, mut depth_ram) = (vec![0; 48 * 16], vec![0; 48 * 16 * 2]);
+            let mut part = Framebuffer::<Gray8>::band(&mut ram, size.0, size.1, band.clone()).unwrap();
+            let mut part_buffer = DepthBuffer::<Depth16>::band(&mut depth_ram, size.0, size.1, band.clone()).unwrap();
+            draw(&mut part, &mut part_buffer);
+            for at in band.flat_map(|y| (0..WIDTH).map(move |x| Point::new(x, y.into()))) {
+                assert_eq!(part.get(at), frame.get(at), "{} at {at}", what());
+                assert_eq!(part_buffer.get(at), buffer.get(at), "{} at {at}", what());
+            }
+        }
+    }
+}
+
 /// Bands show what the whole shows, colours and depths alike.
 #[test]
 fn bands_show_the_whole() {
-    let (mut rng, size) = (Rng::new(4), (WIDTH as u16, HEIGHT as u16));
+    let mut rng = Rng::new(4);
     for _ in 0..cases(200) {
         let mesh: Vec<[Vec4; 3]> = (0..6).map(|_| [corner(&mut rng), corner(&mut rng), corner(&mut rng)]).collect();
         let draw = |frame: &mut Framebuffer<'_, Gray8>, depth: &mut DepthBuffer<'_, Depth16>| {
@@ -258,24 +283,7 @@ fn bands_show_the_whole() {
                 triangle.fill_depth(frame, depth, depth::less, |fragment| Some(Gray8::new(fragment.values)));
             });
         };
-        let (mut ram, mut depth_ram) = (vec![0; 48 * 36], vec![0; 48 * 36 * 2]);
-        let mut frame = Framebuffer::<Gray8>::new(&mut ram, size.0, size.1).unwrap();
-        let mut buffer = DepthBuffer::<Depth16>::new(&mut depth_ram, size.0, size.1).unwrap();
-        draw(&mut frame, &mut buffer);
-        for rows in [1, 5, 16] {
-            for start in (0..size.1).step_by(rows.into()) {
-                let band = start..(start + rows).min(size.1);
-                let (mut ram, mut depth_ram) = (vec![0; 48 * 16], vec![0; 48 * 16 * 2]);
-                let mut part = Framebuffer::<Gray8>::band(&mut ram, size.0, size.1, band.clone()).unwrap();
-                let mut part_buffer =
-                    DepthBuffer::<Depth16>::band(&mut depth_ram, size.0, size.1, band.clone()).unwrap();
-                draw(&mut part, &mut part_buffer);
-                for at in band.flat_map(|y| (0..WIDTH).map(move |x| Point::new(x, y.into()))) {
-                    assert_eq!(part.get(at), frame.get(at), "{mesh:?} at {at}");
-                    assert_eq!(part_buffer.get(at), buffer.get(at), "{mesh:?} at {at}");
-                }
-            }
-        }
+        compare_bands(draw, &|| format!("{mesh:?}"));
     }
 }
 

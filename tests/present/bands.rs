@@ -6,20 +6,14 @@ use std::{
     task::{Context, Poll, Waker},
 };
 
+use crate::scene;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::{
     pixel::Rgb444,
     present::{for_each_band, for_each_band_async},
     surface::{Grid, Packed12, Pages, Planes, Rows},
-    BufferError, Canvas, Frame, Index1, Index2, Index4, Layout, PixelFormat, Rect,
+    BufferError, Frame, Index1, Index2, Index4, Layout, PixelFormat,
 };
-
-fn scene<L: Layout>(on: &mut Frame<&mut [u8], L>, color: impl Fn(u32) -> L::Color) {
-    on.clear(color(0));
-    on.fill_triangle([(-5, 3), (60, 20), (20, 45)], color(1));
-    on.fill_ellipse(Rect::new(18, 7, 45, 30), color(2));
-    on.draw_line((0, 0), (40, 30), color(3));
-}
 
 fn run<T>(future: impl Future<Output = T>) -> T {
     let mut future = pin!(future);

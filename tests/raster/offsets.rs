@@ -1,6 +1,7 @@
 //! Strokes against what a stroke is: the places within half a width of the true curve, at right angles to it, and caps and joins
 //! that stand on its tangents. Every pixel whose centre is farther than 0.14 pixel from the border is right.
 
+use crate::stroke::islands;
 use embedded_raster::{
     px,
     raster::{ellipse, stroke as thick},
@@ -100,26 +101,6 @@ fn cases_that_were_right() {
     let mut lines: Vec<PathSegment> = places.iter().map(|&(x, y)| LineTo(at(x, y))).collect();
     lines[0] = MoveTo(at(10.0, 30.0));
     assert_eq!(count(&drawn(&lines, &Stroke::px(10), Rect::new(0, 0, 470, 120))), 5_090);
-}
-
-/// How many pieces the pixels fall into, corners counting as neighbours.
-fn islands(runs: &[Run]) -> usize {
-    let mut left: std::collections::HashSet<(i32, i32)> =
-        runs.iter().flat_map(|r| (r.1..r.2).map(|x| (x, r.0))).collect();
-    let mut count = 0;
-    while let Some(&start) = left.iter().next() {
-        count += 1;
-        let mut stack = vec![start];
-        left.remove(&start);
-        while let Some((x, y)) = stack.pop() {
-            for (dx, dy) in [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)] {
-                if left.remove(&(x + dx, y + dy)) {
-                    stack.push((x + dx, y + dy));
-                }
-            }
-        }
-    }
-    count
 }
 
 /// Below a pixel a stroke is the connected outline of one pixel.

@@ -255,7 +255,7 @@ fn a_side_is_as_thick_as_it_is_wide() {
 }
 
 /// How many pieces the pixels fall into, corners counting as neighbours.
-fn islands(runs: &[Run]) -> usize {
+pub(crate) fn islands(runs: &[Run]) -> usize {
     let mut left: HashSet<(i32, i32)> = runs.iter().flat_map(|r| (r.1..r.2).map(|x| (x, r.0))).collect();
     let mut count = 0;
     while let Some(&start) = left.iter().next() {
