@@ -31,14 +31,31 @@ use crate::{error::CrossingListFull, num::round::difference};
 
 /// Calls `visit` with each side of a closed contour.
 #[inline(always)]
-fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, mut visit: impl FnMut(Place, Place)) {
-    let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
+fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, visit: impl FnMut(Place, Place)) {
+    each_side(contour.into_iter().map(|v| bits(*v.borrow())), visit);
+}
+
+/// Calls `visit` with the ends of each side of a closed contour, which are whatever its vertices are given as.
+#[inline(always)]
+pub(crate) fn each_side<T: Copy>(mut vertices: impl Iterator<Item = T>, mut visit: impl FnMut(T, T)) {
     let Some(first) = vertices.next() else { return };
-    let last = vertices.fold(first, |last, vertex| {
+    let mut last = first;
+    for vertex in vertices {
         visit(last, vertex);
-        vertex
-    });
+        last = vertex;
+    }
     visit(last, first);
+}
+
+/// The lowest and the highest coordinates of some vertices; `None` without a vertex.
+#[inline]
+pub(crate) fn bounds(vertices: impl Iterator<Item = impl Borrow<PointFx>>) -> Option<(Place, Place)> {
+    let mut places = vertices.map(|v| bits(*v.borrow()));
+    let first = places.next()?;
+    Some(
+        places
+            .fold((first, first), |(low, high), (x, y)| ((low.0.min(x), low.1.min(y)), (high.0.max(x), high.1.max(y)))),
+    )
 }
 
 /// Whether an outline goes once round a convex region, in either direction.

@@ -9,7 +9,12 @@ use super::{
 };
 use crate::{
     error::EdgeTableFull,
-    geom::{bits, fill_rule::FillRule, PointFx},
+    geom::{
+        bits,
+        fill_rule::FillRule,
+        polygon::{bounds, each_side},
+        PointFx,
+    },
     num::cast::{index, index_u16, signed, unsigned},
     raster::bands::{in_bands, Loaded, CHECKED},
     span::{Rect, Sink},
@@ -89,12 +94,7 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
-    for vertex in contours.into_iter().flatten() {
-        let (x, y) = bits(*vertex.borrow());
-        low = (low.0.min(x), low.1.min(y));
-        high = (high.0.max(x), high.1.max(y));
-    }
+    let Some((low, high)) = bounds(contours.into_iter().flatten()) else { return Rect::default() };
     if low.0 >= high.0 || low.1 >= high.1 {
         return Rect::default();
     }
@@ -167,14 +167,7 @@ impl<'a> Loader<'a> {
         <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
         for contour in contours {
-            let mut vertices = contour.into_iter().map(|v| bits(*v.borrow()));
-            let Some(first) = vertices.next() else { continue };
-            let mut last = first;
-            for vertex in vertices {
-                self.add(last, vertex);
-                last = vertex;
-            }
-            self.add(last, first);
+            each_side(contour.into_iter().map(|v| bits(*v.borrow())), |a, b| self.add(a, b));
         }
     }
 

@@ -48,6 +48,7 @@ use crate::{
         bits,
         exact::{turn_at, Place},
         fill_rule::FillRule,
+        polygon::each_side,
         PointFx,
     },
     num::cast::saturate,
@@ -284,13 +285,7 @@ where
         behind = behind.saturating_add(along(line.wrapping_add(1))).saturating_add(both(line.wrapping_add(1)));
     };
     for contour in contours {
-        let mut vertices = contour.into_iter().map(|v| *v.borrow());
-        let Some(first) = vertices.next() else { continue };
-        let last = vertices.fold(first, |last, v| {
-            add(last, v);
-            v
-        });
-        add(last, first);
+        each_side(contour.into_iter().map(|v| *v.borrow()), &mut add);
     }
     before >= 2 && behind >= 2
 }

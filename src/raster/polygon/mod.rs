@@ -42,7 +42,11 @@ use self::{
 use super::bands::{self, most_of_a_row, Loaded, CHECKED};
 use crate::{
     error::EdgeTableFull,
-    geom::{bits, PointFx},
+    geom::{
+        bits,
+        polygon::{bounds, each_side},
+        PointFx,
+    },
     num::{
         cast::{index, index_u16, signed, unsigned},
         round::first_centre_from,
@@ -193,15 +197,7 @@ where
     C::Item: IntoIterator,
     <C::Item as IntoIterator>::Item: Borrow<PointFx>,
 {
-    let (mut low, mut high) = ((i32::MAX, i32::MAX), (i32::MIN, i32::MIN));
-    for vertex in contours.into_iter().flatten() {
-        let (x, y) = bits(*vertex.borrow());
-        low = (low.0.min(x), low.1.min(y));
-        high = (high.0.max(x), high.1.max(y));
-    }
-    if low.0 > high.0 {
-        return Rect::default();
-    }
+    let Some((low, high)) = bounds(contours.into_iter().flatten()) else { return Rect::default() };
     let pixel = first_centre_from;
     Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
 }
@@ -240,14 +236,8 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
         <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
         for contour in contours {
-            let mut vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
-            let Some(first) = vertices.next() else { continue };
-            let mut last = first;
-            for vertex in vertices {
-                self.add(last, vertex);
-                last = vertex;
-            }
-            self.add(last, first);
+            let vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
+            each_side(vertices, |a, b| self.add(a, b));
         }
     }
 
