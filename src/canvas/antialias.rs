@@ -1,4 +1,5 @@
-//! [`Antialias`]: shapes with soft rims on surfaces.
+//! [`Antialias`]: shapes with soft rims on surfaces, one line each, as in `canvas.rs`: the shape from [`coverage`], a paint, and the
+//! surface.
 
 use core::borrow::Borrow;
 
@@ -154,7 +155,7 @@ pub trait Antialias: Surface {
     /// Draws the outline of a path with a width: see [`coverage::stroke`].
     ///
     /// # Errors
-    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa). Each piece of the stroke that a row meets takes two slots.
+    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa). Each line of the stroke's border that a row meets takes a slot.
     #[doc(alias("drawSmoothArc", "drawWideLine"))]
     #[inline]
     fn stroke_path_aa<D: Dashing>(
@@ -189,7 +190,7 @@ pub trait Antialias: Surface {
     /// Draws a line with a width.
     ///
     /// # Errors
-    /// As for [`stroke_path_aa`](Self::stroke_path_aa). A solid line takes 4 slots with butt caps, 12 with square ones.
+    /// As for [`stroke_path_aa`](Self::stroke_path_aa). A solid line takes 4 slots with butt caps, 8 with square ones.
     #[inline]
     fn stroke_line_aa<D: Dashing>(
         &mut self,

@@ -45,14 +45,17 @@
 //!     |W x c| / 4 |c| + w T^2 / 16 <= D  and  |W c| <= |c|^2,    T = (|W(0) x c| + |W(1) x c|) / |c|^2 < 1
 //!     or  |W| <= 8
 //! ```
-//! and the second summand is at most 3/4 of D. Besides, where `w |V x c| >= m |c|^2` for V = W(0) or W(1), m being the longer component
-//! of c, the radius may be less than w / 2, and the inner border may turn back on the way; there `w |(W(0) - W(1)) x c| <= 192 |c|^2`,
-//! so that the angle between the offset and where it would be if it turned evenly moves its end by 24 units at most. (For thin strokes, up to 1.25 pixels, it is `w T^2`: they turn by less than a quarter in one line, so that their straight sides
-//! hardly differ from the curve's.)
-//! T is the angle that the part turns by: between the offsets of its ends, w / 2 long, a border is within w T^2 / 16 of its chord,
-//! and within as much as the part is from its own. A part with the second line is a cusp, or the like: what turns there is a join.
-//! At the end of each line the *way* is known, which is the direction of the curve: P'; or where that is 0 P'' after that time and
-//! -P'' before it; or the third derivative, before and after.
+//! T is the angle that the part turns by. Between the offsets of its ends, which are w / 2 long, a border turns by it too, and bends
+//! from its chord by w T^2 / 16 more than the part does from its own. That summand takes at most 3/4 of D. For thin strokes, up to
+//! 1.25 pixels, it is `w T^2` instead: then one line turns so little that its straight sides hardly differ from the curve's. A part
+//! that is flat by the second line only is a cusp, or nearly one: what turns there is a join.
+//!
+//! Where `w |V x c| >= m |c|^2` for V = W(0) or W(1), m being the longer component of c, the radius of the curve may be less than
+//! w / 2, and the inner border may go backwards. There the part has to turn evenly as well: with
+//! `w |(W(0) - W(1)) x c| <= 192 |c|^2` no offset ends more than 24 units from where it would if the part turned evenly.
+//!
+//! At the end of each line the *way* of the curve is known. It is the first of these that is not 0: P'; P'', which counts backwards
+//! before that time; the third derivative.
 //!
 //! **Rounding.** The coordinates of all W and the quotient by 4 D are rounded down to whole numbers. A part with a
 //! coordinate of W that is not within 2^15 is neither flat nor even: it is halved. Where a coordinate of c has more

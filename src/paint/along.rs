@@ -8,9 +8,9 @@
 //!        -----------              o------------x---------------o
 //!           m + n                 |     n      |       m       |
 //! ```
-//! halves upwards, as over triangles. A line of no length has the value of its first end. A pixel at an end whose middle lies beyond the end has the value of the end. So nothing leaves
-//! the range of the two values, and no other pixel, no window and no band takes part in a value. Depths are tested and kept as
-//! those of triangles are.
+//! halves upwards, as over triangles. A line of no length has the value of its first end. At the ends of a line the middle of a
+//! pixel may lie beyond the end: then it has the value of the end. So nothing leaves the range of the two values, and no other
+//! pixel, no window and no band takes part in a value. Depths are tested and kept as those of triangles are.
 //!
 //! **How.** Along a line, values change as they do over a triangle that has an end of the line at two of its corners, both moved to
 //! the first row of the line's box, and the third corner straight below one of them:

@@ -18,11 +18,11 @@
 //! put it off by 0.004 of a 255th up to 0.009 at the very worst, the last rounding by 0.5. A pixel that the shape covers as a
 //! whole has 255, and one that it does not touch has 0. Two shapes that share a side add up to 255 or 256 along it.
 //!
-//! **Where sides cross inside of a pixel** the sum is that of areas times winding numbers, and the fill rule is applied to it as a
-//! whole. That is the area of the shape as long as the winding numbers in the pixel are 0 and 1, or 0 and -1. What two parts share
-//! there counts twice, up to the whole pixel by the non-zero rule, and by the even-odd rule what is
-//! beyond the whole pixel is taken away again; two loops of a bow-tie that turn in opposite directions cancel out. It is seen in the
-//! pixel of the crossing only: its neighbours, and pixels where sides meet at a corner, are right.
+//! **Where sides cross inside of a pixel** the sum may not be the area. It is the sum of areas times their winding numbers, and the
+//! fill rule is applied to it as a whole; as long as the winding numbers in the pixel are 0 and 1, or 0 and -1, that is the area of
+//! the shape. Otherwise what two parts share counts twice: by the non-zero rule up to the whole pixel, by the even-odd rule what is
+//! beyond the whole pixel is taken away again. Two loops of a bow-tie that turn in opposite directions cancel out. Only the pixel of
+//! the crossing is wrong: its neighbours, and pixels where sides meet at a corner, are right.
 //!
 //! **Memory.** Scratch memory for the sides, 44 bytes each, and for the cells: 4 bytes a pixel of the width, and 4 for each 32
 //! pixels ([`cells`] counts them). With less, a row is drawn in strips, with the same result, and with a look at each side for

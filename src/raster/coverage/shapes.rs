@@ -43,11 +43,11 @@ pub fn path(
     fill_sides(&load, rule, (table, cells), window, sink)
 }
 
-/// Tells what a stroked path covers. A stroke thinner than a pixel covers as much as it is wide. A pixel in which pieces of the stroke overlap may count what they share twice: see
-/// [`coverage`](super) for sides that cross in a pixel. That is at the rims of joins.
+/// Tells what a stroked path covers. A stroke thinner than a pixel covers as much as it is wide. At the rims of joins, a pixel in
+/// which pieces of the stroke overlap may count what they share twice: see [`coverage`](super) for sides that cross in a pixel.
 ///
 /// # Errors
-/// As for [`fill`]. Each piece of the stroke that a row meets takes two slots.
+/// As for [`fill`]. Each line of the stroke's [border](crate::raster::stroke::border) that a row meets takes a slot.
 #[inline]
 pub fn stroke<D: Dashing>(
     path: impl IntoIterator<IntoIter = impl Segments>,

@@ -231,8 +231,8 @@ impl<'a> Border<'a> {
         }
     }
 
-    /// Whether offsets in these directions are so far from each other that the line between them is 32 units too far inside: from
-    /// `w (1 - cos) / 8 = 32` on.
+    /// Whether a straight line between the offsets in two directions would cut off 32 units or more of the circle that they lie on:
+    /// at an angle a it cuts off about `w (1 - cos a) / 8`.
     fn turns_much(&self, u: Direction, v: Direction) -> bool {
         let less = magnitude((1_i64 << 60).wrapping_sub(u.dot(v)).max(0)) >> 30;
         less.wrapping_mul(self.pen.width.into()) > 256 << 30
@@ -368,8 +368,8 @@ pub(super) fn is_far_out(at: PointFx) -> bool {
     (x.unsigned_abs() | y.unsigned_abs()) >> 30 != 0
 }
 
-/// Whether the triangle between two offsets on the inner side of a corner lies in both sides, so that the way by its third vertex,
-/// which is the corner, can be cut short: then it is wound around once less, and still once.
+/// Whether the way on the inner side of a corner, from one offset by the corner to the other, can be cut short. It can where the
+/// triangle between these three places lies in both sides: it was wound around twice, and still is once.
 fn is_inside(last: &End, next: &End, is_right: bool) -> bool {
     let (Some(a), Some(b)) = (last.other, next.other) else { return false };
     if [a, b, next.at].into_iter().any(is_far_out) {
@@ -391,8 +391,8 @@ fn is_inside(last: &End, next: &End, is_right: bool) -> bool {
         && across(e, p) <= across(e, q)
 }
 
-/// Where a side bends so much that the offsets of its ends cross on one side: whether that is the right one, and a place a little
-/// before the crossing. Between there and the far ends is all that lies behind the crossing.
+/// If a side bends so much that the offsets of its ends cross: whether they do so on the right, and a place a little before the
+/// crossing. The triangle from there to the far ends of both holds all that lies behind the crossing.
 fn fold(start: &End, end: &End, width: u32) -> Option<(bool, PointFx)> {
     let (r, s) = (start.offset, end.offset);
     let chord = between(start.at, end.at);

@@ -6,15 +6,15 @@
 //!    a ======   ==   ======   ==   =====     a dash goes on around a corner, and has two ends with caps
 //!      |<phase>|                        =    the pattern starts `phase` before the contour does
 //! ```
-//! **The rule.** The pattern runs along each contour from its start, in units of 2^-16 pixel: a side is as long as
-//! `floor(2^8 |d|)`, with d scaled as for [`stroke`](super), and a part of a curve by the T^2 / 24th part longer, where it turns by an
-//! angle T. The place at a distance s from the start of a side with the
+//! **The rule.** The pattern runs along each contour from its start, in units of 2^-16 pixel. A side is as long as `floor(2^8 |d|)`,
+//! with d scaled as for [`stroke`](super). A side that stands for a part of a curve is longer than that, as the curve is: by
+//! `T^2 / 24` of its length, T being the angle that the part turns by. The place at a distance s from the start of a side with the
 //! direction u is `a + u s`, rounded to the nearest unit, or the end of the side. Where the side is a part of a curve, the dash ends at
-//! right angles to the curve there. Between two such places, or the ends of the side, a dash is a side of
-//! the same direction. A pattern with an odd number of lengths counts twice, the second time with on and off exchanged. Negative
-//! lengths count as 0. A dash that goes on to the end of a ring, and one that begins at its start, are one, with a join. A pattern
-//! that is shorter in all than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a
-//! dot with round caps, and a square with square ones.
+//! right angles to the curve there. Between two such places, or the ends of the side, a dash is a side of the same direction.
+//!
+//! A pattern with an odd number of lengths counts twice, the second time with on and off exchanged. Negative lengths count as 0. A
+//! dash that goes on to the end of a ring, and one that begins at its start, are one, with a join. A pattern that is shorter in all
+//! than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a dot with round caps, and a square with square ones.
 //!
 //! **Work.** A contour that cannot be seen costs a few comparisons a segment, however many dashes it has. Of another one all
 //! is measured that comes before the last part that can be seen: by a square root for each line, and for each of those that a

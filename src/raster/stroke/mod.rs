@@ -28,8 +28,9 @@
 //!      \         /        backwards. What it encloses then belongs to the stroke too, as far as w/2 from the curve:
 //!       \__---__/         it is wound around once like all others.
 //! ```
-//! Where a curve turns so sharply in one line, as at a cusp, that the chord between two offsets is 32 units inside of the circle
-//! around them, there are round joins at both ends of the line, with what the pen sweeps over on their inner sides. Strokes up to 1.25 pixels wide go along the lines themselves, with such joins between them.
+//! At a cusp a curve turns so sharply in one line that the straight way between the offsets of its ends would cut off 32 units (1/8
+//! pixel) of the circle around them. There both ends of the line have round joins, and what the pen sweeps over on the inner side
+//! belongs to the stroke too. Strokes up to 1.25 pixels wide go along the lines themselves, with such joins between them.
 //!
 //! A contour without length is a dot: with square caps a square, with round ones the pixels of
 //! [`Ellipse::circle`](crate::Ellipse::circle), with butt ones nothing.
