@@ -172,14 +172,20 @@ impl<I: Segments> Contours<I> {
 
     /// The same for a stroke of this width, in units.
     #[inline]
-    pub(crate) fn wide(path: impl IntoIterator<IntoIter = I>, window: Rect, reach: u32, width: u32) -> Self {
-        Self { width, ..Self::near(path, window, reach) }
+    pub(crate) fn wide(
+        path: impl IntoIterator<IntoIter = I>,
+        window: Rect,
+        reach: u32,
+        width: u32,
+    ) -> Contours<I, true> {
+        let Self { rest, start, view, .. } = Self::near(path, window, reach);
+        Contours { rest, start, view, width }
     }
 }
 
-/// The contours of a path.
+/// The contours of a path; those for a stroke are `WIDE`.
 #[derive(Clone, Debug)]
-pub struct Contours<I> {
+pub struct Contours<I, const WIDE: bool = false> {
     rest: I,
     /// Where a contour without a move starts.
     start: PointFx,
@@ -188,11 +194,11 @@ pub struct Contours<I> {
     width: u32,
 }
 
-impl<I: Segments> Iterator for Contours<I> {
-    type Item = Contour<I>;
+impl<I: Segments, const WIDE: bool> Iterator for Contours<I, WIDE> {
+    type Item = Contour<I, WIDE>;
 
     #[inline(never)]
-    fn next(&mut self) -> Option<Contour<I>> {
+    fn next(&mut self) -> Option<Contour<I, WIDE>> {
         let mut segments = self.rest.clone();
         while let Some(PathSegment::MoveTo(start)) = self.rest.next() {
             (self.start, segments) = (start, self.rest.clone());
@@ -216,7 +222,7 @@ impl<I: Segments> Iterator for Contours<I> {
 /// The vertices of one contour of a path, from its start on. Where the contour is closed, the start does not come
 /// again.
 #[derive(Clone, Debug)]
-pub struct Contour<I> {
+pub struct Contour<I, const WIDE: bool = false> {
     start: Option<PointFx>,
     at: PointFx,
     /// Its segments, and what follows them.
@@ -239,10 +245,20 @@ pub(crate) struct Knot {
     pub(crate) smooth: bool,
 }
 
-impl<I: Segments> Contour<I> {
+impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
     #[inline]
     fn new(start: PointFx, segments: I, left: usize, closed: bool, view: View) -> Self {
         Self { start: Some(start), at: start, segments, left, curve: None, closed, view, width: 0 }
+    }
+
+    /// Of the stroke, or 0. Where there is none it is a constant: then a fill links nothing that is for strokes.
+    #[inline(always)]
+    const fn width(&self) -> u32 {
+        if WIDE {
+            self.width
+        } else {
+            0
+        }
     }
 
     #[inline]
@@ -272,7 +288,7 @@ impl<I: Segments> Contour<I> {
     /// The same up to the last part of it that a view may show. What comes behind is left out, and with it the closing side. A
     /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
     #[inline]
-    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<I> {
+    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<I, WIDE> {
         let contour = if everywhere { Self { view: self.view.everywhere(), ..self } } else { self };
         let mut front = Front { contour, view, until: None };
         front.leave_out(hides_corner);
@@ -285,7 +301,8 @@ impl<I: Segments> Contour<I> {
             return Some(Knot { at, smooth: false });
         }
         loop {
-            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view, self.width)) {
+            let width = self.width();
+            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view, width)) {
                 return Some(knot);
             }
             let from = self.at;
@@ -313,14 +330,14 @@ impl<I: Segments> Contour<I> {
 
 /// The front of a contour, up to the last part that a view may show.
 #[derive(Clone, Debug)]
-pub(crate) struct Front<I> {
-    contour: Contour<I>,
+pub(crate) struct Front<I, const WIDE: bool> {
+    contour: Contour<I, WIDE>,
     view: View,
     /// The end of the last part of the last curve that the view may show.
     until: Option<u32>,
 }
 
-impl<I: Segments> Front<I> {
+impl<I: Segments, const WIDE: bool> Front<I, WIDE> {
     /// Takes a few comparisons a segment.
     fn leave_out(&mut self, hides_corner: impl Fn(PointFx) -> bool) {
         let contour = &mut self.contour;
@@ -353,7 +370,7 @@ impl<I: Segments> Front<I> {
         let is_last = self.contour.left == 0;
         if let Some(curve) = self.contour.curve.as_ref().filter(|curve| is_last && curve.part.done == curve.part.pieces)
         {
-            let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view, self.contour.width));
+            let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view, self.contour.width()));
             if curve.part.end() >= until {
                 return None;
             }
@@ -380,7 +397,7 @@ impl<I: Segments> Front<I> {
     }
 }
 
-impl<I: Segments> Iterator for Contour<I> {
+impl<I: Segments, const WIDE: bool> Iterator for Contour<I, WIDE> {
     type Item = PointFx;
 
     #[inline]

@@ -23,7 +23,7 @@ pub trait Outline {
     fn front(self, sight: Sight, everywhere: bool) -> impl Outline;
 }
 
-impl<I: Segments> Outline for Contour<I> {
+impl<I: Segments, const WIDE: bool> Outline for Contour<I, WIDE> {
     #[inline]
     fn next_place(&mut self) -> Option<(PointFx, bool)> {
         self.next_knot().map(|Knot { at, smooth }| (at, smooth))
@@ -50,7 +50,7 @@ impl<I: Segments> Outline for Contour<I> {
     }
 }
 
-impl<I: Segments> Outline for Front<I> {
+impl<I: Segments, const WIDE: bool> Outline for Front<I, WIDE> {
     #[inline]
     fn next_place(&mut self) -> Option<(PointFx, bool)> {
         self.next_knot().map(|Knot { at, smooth }| (at, smooth))
