@@ -46,9 +46,11 @@ pub(super) fn in_bands<T>(
         let (mut y, mut rows) = (whole.first, whole.end.wrapping_sub(whole.first));
         let mut count = whole.count;
         while y < whole.end {
-            rows = shared(rows, table.len(), count);
+            rows = shared(whole.end.wrapping_sub(y), rows, table.len(), count);
             let end = y.saturating_add(rows).min(whole.end);
-            let band = load(Rect { y0: y, y1: end, ..window }, table);
+            // What is not painted is only counted.
+            let slots = if is_painted { table.len() } else { 0 };
+            let band = load(Rect { y0: y, y1: end, ..window }, table.get_mut(..slots).unwrap_or_default());
             (rows, count) = (end.wrapping_sub(y), band.count);
             if count > table.len() {
                 if rows == 1 {
@@ -67,13 +69,16 @@ pub(super) fn in_bands<T>(
     Ok(())
 }
 
-/// How many rows to expect with sides for 3/4 of `capacity`, when `rows` rows have `count` sides.
-fn shared(rows: i32, capacity: usize, count: usize) -> i32 {
+/// How many rows to take next, when `rows` rows had `count` sides: of the rows that are left as large a part as may fit with 1/8 of
+/// the capacity to spare, and parts of one size.
+fn shared(left: i32, rows: i32, capacity: usize, count: usize) -> i32 {
     let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-    let Some(count) = NonZeroU32::new(count) else { return rows };
+    let Some(count) = NonZeroU32::new(count) else { return left };
     // Below 2^15 times 2^16.
-    let share = unsigned(rows.min(0x7fff)).wrapping_mul(capacity.wrapping_sub(capacity >> 2)) / count;
-    signed(share).max(1)
+    let fit = unsigned(rows.min(0x7fff)).wrapping_mul(capacity.wrapping_sub(capacity >> 3)) / count;
+    let left = unsigned(left);
+    let parts = left.checked_sub(1).and_then(|n| n.checked_div(fit)).map_or(left, |n| n.wrapping_add(1));
+    left.checked_div(parts).map_or(1, signed)
 }
 
 /// The most sides that a row has, of those from `y` to `end`, or `most` if none has more. Where many rows together have no more,
