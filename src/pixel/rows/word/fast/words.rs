@@ -39,6 +39,16 @@ pub(super) fn fill_words(words: &mut [u32], w: u32) {
         }
         return;
     }
+    if UNALIGNED && words.len() >= 8 {
+        // Twice eight, which overlap.
+        if let Some(last) = words.last_chunk_mut::<8>() {
+            eight(last, w);
+        }
+        if let Some(first) = words.first_chunk_mut::<8>() {
+            eight(first, w);
+        }
+        return;
+    }
     let mut rest = words;
     if MULTIPLE && rest.len() >= 32 {
         rest = fill_multiple(rest, w);
