@@ -40,11 +40,16 @@ fn sides(contour: impl IntoIterator<Item = impl Borrow<PointFx>>, visit: impl Fn
 pub(crate) fn each_side<T: Copy>(mut vertices: impl Iterator<Item = T>, mut visit: impl FnMut(T, T)) {
     let Some(first) = vertices.next() else { return };
     let mut last = first;
-    for vertex in vertices {
+    // One call, which is inlined: at two places it would not be, or be there twice.
+    loop {
+        let next = vertices.next();
+        let vertex = next.unwrap_or(first);
         visit(last, vertex);
+        if next.is_none() {
+            return;
+        }
         last = vertex;
     }
-    visit(last, first);
 }
 
 /// The lowest and the highest coordinates of some vertices; `None` without a vertex.

@@ -25,9 +25,10 @@ impl View {
 
     /// A window, with a margin of `reach` units around it.
     pub(crate) fn of(window: Rect, reach: u32) -> Self {
-        let low = |n: i32| saturate((i64::from(n) << 8).wrapping_sub(i64::from(reach)));
-        let high = |n: i32| saturate((i64::from(n) << 8).wrapping_add(i64::from(reach)));
-        Self { x0: low(window.x0), y0: low(window.y0), x1: high(window.x1), y1: high(window.y1), tolerance: USUAL }
+        let Rect { x0, y0, x1, y1 } = window;
+        let more = i64::from(reach);
+        let (low, high) = (|n| moved(n, more.wrapping_neg()), |n| moved(n, more));
+        Self { x0: low(x0), y0: low(y0), x1: high(x1), y1: high(y1), tolerance: USUAL }
     }
 
     /// The same, with curves cut finer: for coverage, which shows more of them than pixels do.
@@ -82,4 +83,10 @@ impl View {
         let (x, y) = bits(v);
         self.x0 <= x && x <= self.x1 && self.y0 <= y && y <= self.y1
     }
+}
+
+/// The left side of a pixel, moved.
+#[cfg_attr(embedded_raster_compact, inline(never))]
+fn moved(pixel: i32, by: i64) -> i32 {
+    saturate((i64::from(pixel) << 8).wrapping_add(by))
 }

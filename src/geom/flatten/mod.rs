@@ -77,33 +77,23 @@
 //!
 //! Sources: G. Farin, "Curves and Surfaces for CAGD", 1988 (halving, chords, second differences).
 
-use core::{iter::Copied, num::NonZeroU32, slice::Iter};
+use core::{iter::Copied, slice::Iter};
 
+mod bends;
+mod bezier;
+mod polynomial;
+
+pub use self::bezier::Bezier;
+pub(crate) use self::{
+    bends::THIN,
+    bezier::{Knot, Way},
+};
 use super::{
     path::{Path, PathSegment},
-    point::{bits, PointFx},
+    point::PointFx,
     view::View,
 };
-use crate::{
-    num::{
-        cast::{low_u32, magnitude, narrow, saturate, signed, unsigned},
-        round::{difference, div_rem_wide},
-        wide::times,
-    },
-    span::Rect,
-    tune::COMPACT,
-};
-
-/// Whether small curves are followed in 32 bits; built for size, all are in 64.
-const NARROW: bool = !COMPACT;
-/// 4 D is `2^7` units for strokes.
-const FOUR_D_BITS: u32 = 7;
-/// Strokes up to this width, in units, are thin.
-pub(crate) const THIN: u32 = 320;
-/// Times are in units of `2^-20`.
-const TIME_BITS: u32 = 20;
-/// The time at the end of a curve.
-const END: u32 = 1 << TIME_BITS;
+use crate::span::Rect;
 
 /// What a path can be made of: an iterator over segments that can be gone over again, such as that of a [`Path`], of an array, of
 /// an [`Svg`](super::svg::Svg), or any of these [mapped](super::affine::Affine::path).
@@ -235,16 +225,6 @@ pub struct Contour<I, const WIDE: bool = false> {
     width: u32,
 }
 
-/// Which way a curve goes at a place: a vector of any length.
-pub(crate) type Way = (i64, i64);
-
-/// A vertex, and whether it lies inside of a curve, where the path has no corner.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Knot {
-    pub(crate) at: PointFx,
-    pub(crate) smooth: bool,
-}
-
 impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
     #[inline]
     fn new(start: PointFx, segments: I, left: usize, closed: bool, view: View) -> Self {
@@ -312,11 +292,11 @@ impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
                     return Some(Knot { at: to, smooth: false });
                 }
                 PathSegment::QuadraticTo(c, to) => {
-                    self.curve = Some(Bezier::quadratic([from, c, to], &self.view));
+                    self.curve = Some(Bezier::new([from, c, to, to], false, &self.view));
                     to
                 }
                 PathSegment::CubicTo(c, d, to) => {
-                    self.curve = Some(Bezier::cubic([from, c, d, to], &self.view));
+                    self.curve = Some(Bezier::new([from, c, d, to], true, &self.view));
                     to
                 }
                 PathSegment::MoveTo(_) | PathSegment::Close => {
@@ -368,10 +348,9 @@ impl<I: Segments, const WIDE: bool> Front<I, WIDE> {
     #[inline(never)]
     pub(crate) fn next_knot(&mut self) -> Option<Knot> {
         let is_last = self.contour.left == 0;
-        if let Some(curve) = self.contour.curve.as_ref().filter(|curve| is_last && curve.part.done == curve.part.pieces)
-        {
+        if let Some((curve, end)) = self.contour.curve.as_ref().filter(|_| is_last).and_then(|c| Some((c, c.done()?))) {
             let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view, self.contour.width()));
-            if curve.part.end() >= until {
+            if end >= until {
                 return None;
             }
         }
@@ -403,430 +382,5 @@ impl<I: Segments, const WIDE: bool> Iterator for Contour<I, WIDE> {
     #[inline]
     fn next(&mut self) -> Option<PointFx> {
         self.next_knot().map(|knot| knot.at)
-    }
-}
-
-/// A curve that is being cut into pieces. Times are in units of 2^-20.
-#[derive(Clone, Debug)]
-pub struct Bezier {
-    x: Polynomial,
-    y: Polynomial,
-    /// The part whose pieces come now.
-    part: Section,
-    /// When the last piece began.
-    from: u32,
-    /// Where it ended.
-    last: PointFx,
-    /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its
-    /// second half ends where it did, and the point is not computed again.
-    ahead: (u32, PointFx),
-    /// All control points lie in the view, and with them every part.
-    is_inside: bool,
-    /// Bends can be computed in 32 bits.
-    is_small: bool,
-}
-
-/// A part of a curve, from time `start` on and `2^level` units of time long. It has so many `pieces`, of which some are
-/// done.
-#[derive(Copy, Clone, Debug)]
-struct Section {
-    start: u32,
-    level: u32,
-    pieces: u32,
-    done: u32,
-}
-
-impl Section {
-    fn end(self) -> u32 {
-        self.start.wrapping_add(1_u32.wrapping_shl(self.level))
-    }
-
-    /// The time when so many of its pieces are done. A curve from its end to its start is cut at the same times.
-    fn time(self, done: u32) -> u32 {
-        let Some(pieces) = NonZeroU32::new(self.pieces) else { return self.start };
-        self.start.wrapping_add(done.wrapping_shl(self.level).wrapping_add(self.pieces >> 1) / pieces)
-    }
-}
-
-impl Bezier {
-    fn quadratic(points: [PointFx; 3], view: &View) -> Self {
-        let [(ax, ay), (bx, by), (cx, cy)] = points.map(bits);
-        let (x, y) = (Polynomial::quadratic([ax, bx, cx]), Polynomial::quadratic([ay, by, cy]));
-        Self::new(x, y, (points[0], points[2]), points.iter().all(|&p| view.holds(p)))
-    }
-
-    fn cubic(points: [PointFx; 4], view: &View) -> Self {
-        let [(ax, ay), (bx, by), (cx, cy), (dx, dy)] = points.map(bits);
-        let (x, y) = (Polynomial::cubic([ax, bx, cx, dx]), Polynomial::cubic([ay, by, cy, dy]));
-        Self::new(x, y, (points[0], points[3]), points.iter().all(|&p| view.holds(p)))
-    }
-
-    fn new(x: Polynomial, y: Polynomial, (start, end): (PointFx, PointFx), is_inside: bool) -> Self {
-        let is_small = NARROW && x.is_small() && y.is_small();
-        let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
-        Self { x, y, part, from: 0, last: start, ahead: (END, end), is_inside, is_small }
-    }
-
-    /// The end of the next piece; `None` at the end of the curve.
-    fn next(&mut self, view: &View, width: u32) -> Option<Knot> {
-        let start = self.part.time(self.part.done);
-        if self.part.done == self.part.pieces {
-            if start == END {
-                return None;
-            }
-            self.part = self.next_part(start, view, width);
-        }
-        self.from = start;
-        self.part.done = self.part.done.wrapping_add(1);
-        let time = self.part.time(self.part.done);
-        self.last = if time == self.ahead.0 { self.ahead.1 } else { self.at(time) };
-        Some(Knot { at: self.last, smooth: time != END })
-    }
-
-    /// The part that starts here and is not halved, because it is flat, bends evenly, or lies beside the view.
-    fn next_part(&mut self, start: u32, view: &View, width: u32) -> Section {
-        // Of the parts that halving makes, the longest that starts here: those around it were halved before.
-        let mut part = Section { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
-        loop {
-            let end = part.end();
-            if self.ahead.0 != end {
-                self.ahead = (end, self.at(end));
-            }
-            let bends = self.bends(part);
-            part.pieces = bends.pieces(self.last, self.ahead.1, view.tolerance, width);
-            if part.pieces == 0 && !self.is_inside && bends.lie_beside(view, self.last, self.ahead.1) {
-                part.pieces = 1;
-            }
-            if part.pieces != 0 {
-                return part;
-            }
-            part.level = part.level.wrapping_sub(1);
-        }
-    }
-
-    /// The end of the last part that the view may show, as far as halving tells.
-    fn seen_until(&self, view: &View, width: u32) -> u32 {
-        let (mut end, mut to, mut level) = (END, self.at(END), TIME_BITS);
-        loop {
-            let start = end.wrapping_sub(1_u32.wrapping_shl(level));
-            let (part, from) = (Section { start, level, pieces: 0, done: 0 }, self.at(start));
-            let bends = self.bends(part);
-            if bends.lie_beside(view, from, to) {
-                if start == 0 {
-                    return 0;
-                }
-                (end, to, level) = (start, from, start.trailing_zeros());
-            } else if bends.pieces(from, to, view.tolerance, width) != 0 {
-                return end;
-            } else {
-                level = level.wrapping_sub(1);
-            }
-        }
-    }
-
-    /// W(1/3) and W(2/3) of a part.
-    fn bends(&self, part: Section) -> Bends {
-        let length = 1_u32.wrapping_shl(part.level);
-        let first = part.start.wrapping_mul(3).wrapping_add(length);
-        let down = TIME_BITS.wrapping_sub(part.level) << 1;
-        let bends = |time| {
-            if self.is_small {
-                (self.x.small_bend(time, down), self.y.small_bend(time, down))
-            } else {
-                (self.x.bend(time, down), self.y.bend(time, down))
-            }
-        };
-        Bends(bends(first), bends(first.wrapping_add(length)))
-    }
-
-    /// Which way it goes at the start and at the end of the piece that came last. (0, 0) inside of the curve, if only its own ends are
-    /// asked for.
-    pub(crate) fn ways(&self, only_ends: bool) -> [Way; 2] {
-        let way = |time, is_end| if only_ends && time != 0 && time != END { (0, 0) } else { self.way(time, is_end) };
-        [way(self.from, false), way(self.part.time(self.part.done), true)]
-    }
-
-    /// Which way it goes where the piece that came last passes a place beside it, as seen along a vector of 30 bits: within a
-    /// 2^12th of its time.
-    #[inline(never)]
-    pub(crate) fn way_beside(&self, place: PointFx, along: (i32, i32)) -> Way {
-        let (place, mut from, mut to) = (bits(place), self.from, self.part.time(self.part.done));
-        for _ in 0..12 {
-            let middle = from.wrapping_add(to) >> 1;
-            let at = bits(self.at(middle));
-            let product = |n: i32, m: i32, u: i32| difference(n, m).wrapping_mul(i64::from(u >> 2));
-            if product(at.0, place.0, along.0).wrapping_add(product(at.1, place.1, along.1)) < 0 {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        self.way(to, true)
-    }
-
-    /// How much longer than its chord the piece that came last is, in units of 2^-16 pixel, if it is a part as a whole. The length of
-    /// the chord is given in units.
-    ///
-    /// A curve that turns evenly by a small angle T is longer by the T^2 / 24th part, and T is `2 |W x c| / |c|^2`.
-    #[inline(never)]
-    pub(crate) fn excess(&self, from: PointFx, length: u64) -> u64 {
-        let Ok(length) = u32::try_from(length) else { return 0 };
-        let Some(length) = NonZeroU32::new(length) else { return 0 };
-        let (Bends(first, second), (a, b)) = (self.bends(self.part), (bits(from), bits(self.last)));
-        let sum = |p: i32, q: i32| i64::from(p).wrapping_add(q.into());
-        let (w, c) = ((sum(first.0, second.0), sum(first.1, second.1)), (difference(b.0, a.0), difference(b.1, a.1)));
-        let across = w.0.wrapping_mul(c.1).wrapping_sub(w.1.wrapping_mul(c.0)).unsigned_abs();
-        // 16 |W x c| / |c|, below 2^15 for parts that are flat.
-        let (bend, _) = div_rem_wide(across << 3, length);
-        let (bend, length) = (bend.min(0xffff), length.get());
-        // bend^2 / 6 length.
-        NonZeroU32::new(length.saturating_mul(6)).map_or(0, |divisor| u64::from(bend.wrapping_mul(bend) / divisor))
-    }
-
-    /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
-    #[inline(never)]
-    fn way(&self, time: u32, before: bool) -> Way {
-        let slope = (self.x.slope(time), self.y.slope(time));
-        if slope != (0, 0) {
-            return slope;
-        }
-        let bend = |p: &Polynomial| {
-            let bend = p.a.wrapping_mul(3).wrapping_mul(i64::from(time)).wrapping_add(p.b << TIME_BITS);
-            if before {
-                bend.wrapping_neg()
-            } else {
-                bend
-            }
-        };
-        match (bend(&self.x), bend(&self.y)) {
-            (0, 0) => (self.x.a, self.y.a),
-            bend => bend,
-        }
-    }
-
-    fn at(&self, t: u32) -> PointFx {
-        #[cfg(test)]
-        crate::num::tally::add(crate::num::tally::Work::Point);
-        PointFx::from_bits(self.x.at(t), self.y.at(t))
-    }
-}
-
-/// W(1/3) and W(2/3) of a part. A coordinate that does not fit is the largest there is.
-struct Bends((i32, i32), (i32, i32));
-
-impl Bends {
-    /// How many pieces the part between two places is cut into; 0 if it is halved instead. 4 D is `2^tolerance`.
-    ///
-    /// Coordinates of W and of the chord are below 2^15: sums of two products fit 31 bits.
-    #[inline(always)]
-    fn pieces(&self, from: PointFx, to: PointFx, tolerance: u32, width: u32) -> u32 {
-        let &Self(first, second) = self;
-        if !are_small(first, second) {
-            return 0;
-        }
-        if width != 0 {
-            return u32::from(self.is_flat_beside(from, to, width));
-        }
-        let (c, scale) = chord(bits(from), bits(to));
-        let square = product(c, c);
-        let flat = |w: (i32, i32)| {
-            let least = 1_u32.wrapping_shl(tolerance.wrapping_mul(2));
-            if square < least {
-                return product(w, w) <= least;
-            }
-            let across = cross(w, c).unsigned_abs().wrapping_shr(tolerance);
-            let along = product(w, c).wrapping_shr(scale);
-            along <= square && across >> 16 == 0 && across.wrapping_mul(across) <= square
-        };
-        if flat(first) && flat(second) {
-            return 1;
-        }
-        // W is linear: W(0) = 2 W(1/3) - W(2/3), and W(1) = 2 W(2/3) - W(1/3).
-        let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
-        let start = (on(first.0, second.0), on(first.1, second.1));
-        let end = (on(second.0, first.0), on(second.1, first.1));
-        if !are_small(start, end) {
-            return 0;
-        }
-        let longer = product(start, start).max(product(end, end));
-        let mut pieces = 1_u32;
-        // The lowest m with |W| <= 4 D m^2, both sides squared.
-        while pieces.wrapping_mul(pieces).wrapping_shl(tolerance).wrapping_pow(2) < longer {
-            pieces = pieces.wrapping_add(1);
-        }
-        let (p, q) = (cross(start, c), cross(end, c));
-        let across = u64::from(p.unsigned_abs().min(q.unsigned_abs()));
-        let even = p ^ q >= 0 && across.wrapping_mul(across) > u64::from(longer).wrapping_mul(u64::from(square)) >> 4;
-        if pieces == 2 || even && pieces <= 16 {
-            pieces
-        } else {
-            0
-        }
-    }
-
-    /// Whether the part between two places is flat, and so are the borders of a stroke beside it. Coordinates of W are below 2^15.
-    #[inline(never)]
-    fn is_flat_beside(&self, from: PointFx, to: PointFx, width: u32) -> bool {
-        let &Self(first, second) = self;
-        if product(first, first) <= 64 && product(second, second) <= 64 {
-            return true;
-        }
-        let (c, scale) = chord(bits(from), bits(to));
-        let Some(square) = NonZeroU32::new(product(c, c)) else { return false };
-        let is_along = |w: (i32, i32)| product(w, c).wrapping_shr(scale) <= square.get();
-        if !(is_along(first) && is_along(second)) {
-            return false;
-        }
-        // W is linear. The coordinates of W(0) and W(1) are below 2^17, and their products with c below 2^33.
-        let across = |w: (i32, i32)| {
-            let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
-            product(w.0, c.1).wrapping_sub(product(w.1, c.0))
-        };
-        let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
-        let start = across((on(first.0, second.0), on(first.1, second.1)));
-        let end = across((on(second.0, first.0), on(second.1, first.1)));
-        let (uneven, wide) = (start.abs_diff(end), u64::from(width));
-        let (start, end) = (start.unsigned_abs(), end.unsigned_abs());
-        // Where the inner border may turn back, it does not turn unevenly.
-        let longer = u64::from(c.0.unsigned_abs().max(c.1.unsigned_abs()));
-        let sharp = start.max(end).wrapping_mul(wide).wrapping_shr(2_u32.wrapping_mul(scale));
-        if sharp >= longer.wrapping_mul(square.get().into())
-            && uneven.wrapping_mul(wide).wrapping_shr(scale) > u64::from(square.get()).wrapping_mul(192)
-        {
-            return false;
-        }
-        // In units of 2^-12.
-        let sum = (start.wrapping_add(end) << 12).wrapping_shr(scale);
-        if sum >= u64::from(square.get()) << 12 {
-            return false;
-        }
-        let (turn, _) = div_rem_wide(sum, square);
-        // 4 (D - w T^2 / 16), rounded up.
-        let down = if width <= THIN { 22 } else { 26 };
-        let turned = u64::from(turn.wrapping_mul(turn)).wrapping_mul(u64::from(width)).wrapping_shr(down);
-        // At least a quarter of D is left for the curve itself.
-        let Some(rest) = (1_u64 << FOUR_D_BITS).checked_sub(turned).filter(|&rest| rest >= 32) else { return false };
-        let flat = |w: (i32, i32)| {
-            let across = across(w).unsigned_abs();
-            across.wrapping_mul(across) <= rest.wrapping_mul(rest).wrapping_mul(u64::from(square.get()))
-        };
-        flat(first) && flat(second)
-    }
-
-    /// Whether the part between two places, which has these bends, lies on one side of the view as a whole.
-    fn lie_beside(&self, view: &View, from: PointFx, to: PointFx) -> bool {
-        let &Self((a, b), (c, d)) = self;
-        let size = [b, c, d].into_iter().fold(a.unsigned_abs(), |size, n| size.max(n.unsigned_abs()));
-        // It is within |W| / 4 of the chord, in x and in y alike; the 3 units are for the rounding of W and of both
-        // ends.
-        size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
-    }
-}
-
-/// Whether all coordinates are from -2^15 to below 2^15.
-#[inline(always)]
-fn are_small(a: (i32, i32), b: (i32, i32)) -> bool {
-    let beyond = |n: i32| unsigned(n).wrapping_add(1 << 15) >> 16;
-    beyond(a.0) | beyond(a.1) | beyond(b.0) | beyond(b.1) == 0
-}
-
-/// The vector from one place to another, its coordinates in 15 bits and a sign, and how many low bits they lost for
-/// that.
-fn chord(from: (i32, i32), to: (i32, i32)) -> ((i32, i32), u32) {
-    let (x, y) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
-    let lost = 17_u32.saturating_sub((x | y).leading_zeros());
-    let side = |length: u32, back: bool| {
-        let length = signed(length.wrapping_shr(lost));
-        if back {
-            length.wrapping_neg()
-        } else {
-            length
-        }
-    };
-    ((side(x, to.0 < from.0), side(y, to.1 < from.1)), lost)
-}
-
-/// The cross product of two vectors.
-#[inline(always)]
-fn cross(a: (i32, i32), b: (i32, i32)) -> i32 {
-    a.0.wrapping_mul(b.1).wrapping_sub(a.1.wrapping_mul(b.0))
-}
-
-/// The magnitude of the scalar product of two vectors.
-#[inline(always)]
-fn product(a: (i32, i32), b: (i32, i32)) -> u32 {
-    a.0.wrapping_mul(b.0).wrapping_add(a.1.wrapping_mul(b.1)).unsigned_abs()
-}
-
-/// The second difference of three control points, `a - 2 b + c`: below 2^33.
-fn second_difference([a, b, c]: [i32; 3]) -> i64 {
-    difference(a, b).wrapping_add(difference(c, b))
-}
-
-/// One coordinate of a curve as a function of the time t: `((a t + b) t + c) t + d`.
-#[derive(Copy, Clone, Debug)]
-struct Polynomial {
-    a: i64,
-    b: i64,
-    c: i64,
-    d: i32,
-}
-
-impl Polynomial {
-    fn quadratic(p: [i32; 3]) -> Self {
-        Self { a: 0, b: second_difference(p), c: difference(p[1], p[0]) << 1, d: p[0] }
-    }
-
-    fn cubic([p0, p1, p2, p3]: [i32; 4]) -> Self {
-        let c = difference(p1, p0).wrapping_mul(3);
-        let b = second_difference([p0, p1, p2]).wrapping_mul(3);
-        Self { a: difference(p3, p0).wrapping_sub(difference(p2, p1).wrapping_mul(3)), b, c, d: p0 }
-    }
-
-    /// A coordinate of W, `h^2 P''/2`, for a part that takes the time h, with `h^2 = 2^-down`. P'' is taken at the time
-    /// `time / 3`, in units of 2^-20.
-    ///
-    /// `P''/2 = 3 a t + b`, which is `a time + b`. When both coefficients are [small](Self::is_small), everything fits
-    /// 31 bits.
-    #[inline(always)]
-    fn small_bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME_BITS;
-        narrow(self.b).wrapping_add(narrow(by_time)).wrapping_shr(down)
-    }
-
-    /// The same for any coefficients: the sum is below 2^36, and the product below 2^56, before they are shifted.
-    #[inline(never)]
-    fn bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = self.a.wrapping_mul(i64::from(time)) >> TIME_BITS;
-        saturate(self.b.wrapping_add(by_time).wrapping_shr(down))
-    }
-
-    /// Whether both coefficients of the second derivative are below 2^28.
-    fn is_small(&self) -> bool {
-        (self.a.unsigned_abs() | self.b.unsigned_abs()) >> 28 == 0
-    }
-
-    /// Its slope at `t / 2^20`, times 2^8, rounded towards zero: below 2^44.
-    ///
-    /// `3 a t + 2 b` is below 2^38, and times 2^20 it has 58 bits. Times t, and with the slope at the start, `c 2^40`, it has 80.
-    fn slope(&self, t: u32) -> i64 {
-        let first = self.a.wrapping_mul(3).wrapping_mul(i64::from(t)).wrapping_add(self.b << (TIME_BITS + 1));
-        let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
-        let slope = high.wrapping_add(self.c << (2 * TIME_BITS - 32));
-        slope.wrapping_add(i64::from(slope < 0 && low != 0))
-    }
-
-    /// Its value at `t / 2^20`, rounded to nearest.
-    ///
-    /// `a t + b` is below 2^36, and times 2^20 it has 56 bits. `(a t + b) t + c` is the slope of the chord from the
-    /// start of the curve to here, below 2^35, and times 2^40 it has 75 bits. The third product is the way from the
-    /// start to here: below 2^32, and 2^92 when times 2^60.
-    #[inline(never)]
-    fn at(self, t: u32) -> i32 {
-        let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME_BITS);
-        let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
-        let (high, _) = times((high.wrapping_add(self.c << (2 * TIME_BITS - 32)), low), t);
-        // The low word is dropped: it never changes what is rounded down here.
-        narrow(i64::from(self.d).wrapping_add(high.wrapping_add(1 << 27) >> 28))
     }
 }

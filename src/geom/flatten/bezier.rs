@@ -1,0 +1,236 @@
+//! [`Bezier`]: a curve, cut into pieces.
+
+use core::num::NonZeroU32;
+
+use super::{
+    bends::Bends,
+    polynomial::{Polynomial, TIME_BITS},
+};
+use crate::{
+    geom::{
+        point::{bits, PointFx},
+        view::View,
+    },
+    num::round::{difference, div_rem_wide},
+    tune::COMPACT,
+};
+
+/// Whether small curves are followed in 32 bits; built for size, all are in 64.
+const NARROW: bool = !COMPACT;
+/// The time at the end of a curve.
+const END: u32 = 1 << TIME_BITS;
+
+/// Which way a curve goes at a place: a vector of any length.
+pub(crate) type Way = (i64, i64);
+
+/// A vertex, and whether it lies inside of a curve, where the path has no corner.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Knot {
+    pub(crate) at: PointFx,
+    pub(crate) smooth: bool,
+}
+
+/// A curve that is being cut into pieces. Times are in units of 2^-20.
+#[derive(Clone, Debug)]
+pub struct Bezier {
+    x: Polynomial,
+    y: Polynomial,
+    /// The part whose pieces come now.
+    part: Section,
+    /// When the last piece began.
+    from: u32,
+    /// Where it ended.
+    last: PointFx,
+    /// A time, and the point of the curve then: the end of the part that was examined last. When a part is halved, its
+    /// second half ends where it did, and the point is not computed again.
+    ahead: (u32, PointFx),
+    /// All control points lie in the view, and with them every part.
+    is_inside: bool,
+    /// Bends can be computed in 32 bits.
+    is_small: bool,
+}
+
+/// A part of a curve, from time `start` on and `2^level` units of time long. It has so many `pieces`, of which some are
+/// done.
+#[derive(Copy, Clone, Debug)]
+struct Section {
+    start: u32,
+    level: u32,
+    pieces: u32,
+    done: u32,
+}
+
+impl Section {
+    fn end(self) -> u32 {
+        self.start.wrapping_add(1_u32.wrapping_shl(self.level))
+    }
+
+    /// The time when so many of its pieces are done. A curve from its end to its start is cut at the same times.
+    fn time(self, done: u32) -> u32 {
+        let Some(pieces) = NonZeroU32::new(self.pieces) else { return self.start };
+        self.start.wrapping_add(done.wrapping_shl(self.level).wrapping_add(self.pieces >> 1) / pieces)
+    }
+}
+
+impl Bezier {
+    /// By its four control points, or, if it is not `cubic`, by the first three of them; the last one is its end in any case.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    pub(super) fn new(points: [PointFx; 4], cubic: bool, view: &View) -> Self {
+        let places = points.map(bits);
+        let x = Polynomial::new(places.map(|p| p.0), cubic);
+        let y = Polynomial::new(places.map(|p| p.1), cubic);
+        let is_small = NARROW && x.is_small() && y.is_small();
+        let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
+        let [start, _, _, end] = points;
+        let is_inside = points.iter().all(|&p| view.holds(p));
+        Self { x, y, part, from: 0, last: start, ahead: (END, end), is_inside, is_small }
+    }
+
+    /// When the part ended whose pieces have all come; `None` if others will come.
+    pub(super) fn done(&self) -> Option<u32> {
+        (self.part.done == self.part.pieces).then(|| self.part.end())
+    }
+
+    /// The end of the next piece; `None` at the end of the curve.
+    pub(super) fn next(&mut self, view: &View, width: u32) -> Option<Knot> {
+        let start = self.part.time(self.part.done);
+        if self.part.done == self.part.pieces {
+            if start == END {
+                return None;
+            }
+            self.part = self.next_part(start, view, width);
+        }
+        self.from = start;
+        self.part.done = self.part.done.wrapping_add(1);
+        let time = self.part.time(self.part.done);
+        self.last = if time == self.ahead.0 { self.ahead.1 } else { self.at(time) };
+        Some(Knot { at: self.last, smooth: time != END })
+    }
+
+    /// The part that starts here and is not halved, because it is flat, bends evenly, or lies beside the view.
+    fn next_part(&mut self, start: u32, view: &View, width: u32) -> Section {
+        // Of the parts that halving makes, the longest that starts here: those around it were halved before.
+        let mut part = Section { start, level: (start | END).trailing_zeros(), pieces: 0, done: 0 };
+        loop {
+            let end = part.end();
+            if self.ahead.0 != end {
+                self.ahead = (end, self.at(end));
+            }
+            let bends = self.bends(part);
+            part.pieces = bends.pieces(self.last, self.ahead.1, view.tolerance, width);
+            if part.pieces == 0 && !self.is_inside && bends.lie_beside(view, self.last, self.ahead.1) {
+                part.pieces = 1;
+            }
+            if part.pieces != 0 {
+                return part;
+            }
+            part.level = part.level.wrapping_sub(1);
+        }
+    }
+
+    /// The end of the last part that the view may show, as far as halving tells.
+    pub(super) fn seen_until(&self, view: &View, width: u32) -> u32 {
+        let (mut end, mut to, mut level) = (END, self.at(END), TIME_BITS);
+        loop {
+            let start = end.wrapping_sub(1_u32.wrapping_shl(level));
+            let (part, from) = (Section { start, level, pieces: 0, done: 0 }, self.at(start));
+            let bends = self.bends(part);
+            if bends.lie_beside(view, from, to) {
+                if start == 0 {
+                    return 0;
+                }
+                (end, to, level) = (start, from, start.trailing_zeros());
+            } else if bends.pieces(from, to, view.tolerance, width) != 0 {
+                return end;
+            } else {
+                level = level.wrapping_sub(1);
+            }
+        }
+    }
+
+    /// W(1/3) and W(2/3) of a part.
+    fn bends(&self, part: Section) -> Bends {
+        let length = 1_u32.wrapping_shl(part.level);
+        let first = part.start.wrapping_mul(3).wrapping_add(length);
+        let down = TIME_BITS.wrapping_sub(part.level) << 1;
+        let bends = |time| {
+            if self.is_small {
+                (self.x.small_bend(time, down), self.y.small_bend(time, down))
+            } else {
+                (self.x.bend(time, down), self.y.bend(time, down))
+            }
+        };
+        Bends(bends(first), bends(first.wrapping_add(length)))
+    }
+
+    /// Which way it goes at the start and at the end of the piece that came last. (0, 0) inside of the curve, if only its own ends are
+    /// asked for.
+    pub(crate) fn ways(&self, only_ends: bool) -> [Way; 2] {
+        let way = |time, is_end| if only_ends && time != 0 && time != END { (0, 0) } else { self.way(time, is_end) };
+        [way(self.from, false), way(self.part.time(self.part.done), true)]
+    }
+
+    /// Which way it goes where the piece that came last passes a place beside it, as seen along a vector of 30 bits: within a
+    /// 2^12th of its time.
+    #[inline(never)]
+    pub(crate) fn way_beside(&self, place: PointFx, along: (i32, i32)) -> Way {
+        let (place, mut from, mut to) = (bits(place), self.from, self.part.time(self.part.done));
+        for _ in 0..12 {
+            let middle = from.wrapping_add(to) >> 1;
+            let at = bits(self.at(middle));
+            let product = |n: i32, m: i32, u: i32| difference(n, m).wrapping_mul(i64::from(u >> 2));
+            if product(at.0, place.0, along.0).wrapping_add(product(at.1, place.1, along.1)) < 0 {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        self.way(to, true)
+    }
+
+    /// How much longer than its chord the piece that came last is, in units of 2^-16 pixel, if it is a part as a whole. The length of
+    /// the chord is given in units.
+    ///
+    /// A curve that turns evenly by a small angle T is longer by the T^2 / 24th part, and T is `2 |W x c| / |c|^2`.
+    #[inline(never)]
+    pub(crate) fn excess(&self, from: PointFx, length: u64) -> u64 {
+        let Ok(length) = u32::try_from(length) else { return 0 };
+        let Some(length) = NonZeroU32::new(length) else { return 0 };
+        let (Bends(first, second), (a, b)) = (self.bends(self.part), (bits(from), bits(self.last)));
+        let sum = |p: i32, q: i32| i64::from(p).wrapping_add(q.into());
+        let (w, c) = ((sum(first.0, second.0), sum(first.1, second.1)), (difference(b.0, a.0), difference(b.1, a.1)));
+        let across = w.0.wrapping_mul(c.1).wrapping_sub(w.1.wrapping_mul(c.0)).unsigned_abs();
+        // 16 |W x c| / |c|, below 2^15 for parts that are flat.
+        let (bend, _) = div_rem_wide(across << 3, length);
+        let (bend, length) = (bend.min(0xffff), length.get());
+        // bend^2 / 6 length.
+        NonZeroU32::new(length.saturating_mul(6)).map_or(0, |divisor| u64::from(bend.wrapping_mul(bend) / divisor))
+    }
+
+    /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
+    #[inline(never)]
+    fn way(&self, time: u32, before: bool) -> Way {
+        let slope = (self.x.slope(time), self.y.slope(time));
+        if slope != (0, 0) {
+            return slope;
+        }
+        let bend = |p: &Polynomial| {
+            let bend = p.a.wrapping_mul(3).wrapping_mul(i64::from(time)).wrapping_add(p.b << TIME_BITS);
+            if before {
+                bend.wrapping_neg()
+            } else {
+                bend
+            }
+        };
+        match (bend(&self.x), bend(&self.y)) {
+            (0, 0) => (self.x.a, self.y.a),
+            bend => bend,
+        }
+    }
+
+    fn at(&self, t: u32) -> PointFx {
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Point);
+        PointFx::from_bits(self.x.at(t), self.y.at(t))
+    }
+}
