@@ -12,41 +12,13 @@
 //! which the lines are made does not matter: the right border and the left one grow at once, and nothing is stored but the end
 //! that is open, and the start of a ring.
 
-use core::num::NonZeroU32;
-
 use super::{
-    direction::{moved, Direction},
+    direction::Direction,
     pen::Pen,
+    pieces::{opposite, Each, End, Pieces},
     sides::{Follow, Outline, Side, Start},
-    style::{Cap, Join},
 };
-use crate::{
-    geom::{bits, flatten::THIN, PointFx},
-    num::{
-        cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide},
-        root::square_root,
-        round::{difference, div_rem_wide, first_centre_after, first_centre_from},
-    },
-};
-
-/// A vector in units.
-type Offset = (i32, i32);
-
-/// Takes the lines of a border: from one place to another.
-pub(super) type Each<'a> = &'a mut dyn FnMut(PointFx, PointFx);
-
-/// The start or the end of a side.
-#[derive(Copy, Clone, Debug)]
-struct End {
-    at: PointFx,
-    u: Direction,
-    /// To the right of u, half a width long.
-    offset: Offset,
-    /// The other end of the side, if that is straight.
-    other: Option<PointFx>,
-    /// Whether the side is drawn. Of one beside the window, with a corner whose tip may show, nothing else is.
-    is_drawn: bool,
-}
+use crate::geom::{flatten::THIN, PointFx};
 
 /// What came before.
 #[derive(Copy, Clone, Debug)]
@@ -59,227 +31,35 @@ enum Last {
 }
 
 /// The border of a stroke.
-pub(super) struct Border<'a> {
-    pen: Pen,
-    each: Each<'a>,
+pub(super) struct Border<'a, const CURVED: bool> {
+    pieces: Pieces<'a, CURVED>,
     last: Last,
     /// The start of a ring, which will be joined to its end.
     first: Option<End>,
 }
 
-impl<'a> Border<'a> {
+impl<'a, const CURVED: bool> Border<'a, CURVED> {
     pub(super) fn new(pen: Pen, each: Each<'a>) -> Self {
-        Self { pen, each, last: Last::Nothing, first: None }
+        Self { pieces: Pieces { pen, each }, last: Last::Nothing, first: None }
     }
 
-    fn line(&mut self, a: PointFx, b: PointFx) {
-        (self.each)(a, b);
-    }
-
-    fn end(&self, at: PointFx, u: Direction, other: Option<PointFx>) -> End {
-        End { at, u, offset: u.right().offset(self.pen.width), other, is_drawn: true }
-    }
-
-    /// The straight end of a side, from the offset to its opposite.
-    fn across(&mut self, at: PointFx, offset: Offset) {
-        let (a, b) = (moved(at, offset), moved(at, opposite(offset)));
-        if is_far_out(at) {
-            // There a place that was moved may have stopped at the end of the type. In all borders the line goes by the middle.
-            self.line(a, at);
-            self.line(at, b);
-        } else {
-            self.line(a, b);
-        }
-    }
-
-    /// A polyline of an end and a start: what is left of a line across each.
-    fn gap(&mut self, at: PointFx, from: Offset, to: Offset) {
-        self.line(moved(at, from), at);
-        self.line(at, moved(at, to));
-    }
-
-    /// The end of a side that goes this way, from the right to the left.
-    fn cap(&mut self, End { at, u, offset, is_drawn, .. }: End) {
-        match self.pen.cap {
-            _ if !is_drawn => {}
-            Cap::Butt => self.across(at, offset),
-            Cap::Square => {
-                // The offset to the right, turned to the left, points ahead.
-                let ahead = (offset.1, offset.0.wrapping_neg());
-                let sum = |o: Offset| (o.0.wrapping_add(ahead.0), o.1.wrapping_add(ahead.1));
-                let [a, b] = [offset, opposite(offset)].map(|o| (moved(at, o), moved(at, sum(o))));
-                self.line(a.0, a.1);
-                self.line(a.1, b.1);
-                self.line(b.1, b.0);
-            }
-            Cap::Round => self.fan(at, u.right(), u.right().back()),
-        }
-    }
-
-    /// Lines around a place, from one offset to another, turning left by half a turn at most.
-    fn fan(&mut self, at: PointFx, from: Direction, to: Direction) {
-        let (mut u, width) = (from, self.pen.width);
-        let mut last = moved(at, from.offset(width));
-        loop {
-            u = u.turned(self.pen.turn);
-            let is_last = u.cross(to) >= 0;
-            let next = moved(at, if is_last { to } else { u }.offset(width));
-            self.line(last, next);
-            if is_last {
-                return;
-            }
-            last = next;
-        }
-    }
-
-    /// The outer side of a corner, turning left.
-    fn outside(&mut self, at: PointFx, from: Direction, to: Direction, join: Join) {
-        if join == Join::Round {
-            return self.fan(at, from, to);
-        }
-        let [a, b] = [from, to].map(|u| moved(at, u.offset(self.pen.width)));
-        match if join == Join::Miter { self.pen.tip(from, to) } else { None } {
-            Some(tip) => {
-                let tip = moved(at, tip);
-                self.line(a, tip);
-                self.line(tip, b);
-            }
-            None => self.line(a, b),
-        }
-    }
-
-    /// The tip of a corner of which not both sides are drawn, as a piece of its own.
-    #[cold]
-    fn lone_tip(&mut self, last: End, next: End) {
-        if last.is_drawn {
-            self.across(last.at, last.offset);
-        }
-        if next.is_drawn {
-            self.across(next.at, opposite(next.offset));
-        }
-        let at = next.at;
-        let (p, q) = (last.u.right(), next.u.right());
-        let (from, to) = if last.u.cross(next.u) > 0 { (q.back(), p.back()) } else { (p, q) };
-        let tip = if self.pen.join == Join::Miter { self.pen.tip(from, to) } else { None };
-        let Some(tip) = tip.map(|tip| moved(at, tip)).filter(|&tip| !self.pen.sight.hides(at, tip)) else { return };
-        let [a, b] = [from, to].map(|u| moved(at, u.offset(self.pen.width)));
-        for (a, b) in [(at, a), (a, tip), (tip, b), (b, at)] {
-            self.line(a, b);
-        }
-    }
-
-    /// What is between the end of a side and the start of the next. `turns`: as a curve does, so that what the pen sweeps over on
-    /// the inner side belongs to the stroke too.
-    fn join(&mut self, last: End, next: End, turns: bool) {
-        let (at, p, q) = (next.at, last.u, next.u);
-        if !(last.is_drawn && next.is_drawn) {
-            return self.lone_tip(last, next);
-        }
-        if p == q {
-            return;
-        }
-        let turn = p.cross(q);
-        if turn == 0 && p.dot(q) > 0 {
-            self.gap(at, last.offset, opposite(last.offset));
-            return self.gap(at, opposite(next.offset), next.offset);
-        }
-        let join = if turns { Join::Round } else { self.pen.join };
-        let (right_last, right_next) = (p.right(), q.right());
-        // The inner side: from an offset of the last side to one of the next, on the right, or back on the left.
-        let (from, to, is_right) = if turn > 0 {
-            self.outside(at, right_next.back(), right_last.back(), join);
-            (last.offset, next.offset, true)
-        } else {
-            self.outside(at, right_last, right_next, join);
-            (opposite(next.offset), opposite(last.offset), false)
-        };
-        let (first, second) = if is_right { (right_next, right_last) } else { (right_last.back(), right_next.back()) };
-        // What is swept over is no more than a triangle.
-        let is_short = !turns || first.turned(self.pen.turn).cross(second) >= 0;
-        if is_short && is_inside(&last, &next, is_right) {
-            return self.line(moved(at, from), moved(at, to));
-        }
-        self.gap(at, from, to);
-        if turns {
-            self.line(at, moved(at, first.offset(self.pen.width)));
-            self.fan(at, first, second);
-            self.line(moved(at, second.offset(self.pen.width)), at);
-        }
-    }
-
-    /// The pixels of [`Ellipse::circle`](crate::Ellipse::circle): for each row a rectangle that is one unit high.
-    fn disc(&mut self, at: PointFx) {
-        let ((x, y), width) = (bits(at), i64::from(self.pen.width));
-        let half = saturate(width >> 1);
-        let (first, end) = (first_centre_from(y.saturating_sub(half)), first_centre_after(y.saturating_add(half)));
-        let closed = (x | y).trailing_zeros() >= 7;
-        for row in first.max(self.pen.rows.0)..end.min(self.pen.rows.1) {
-            // Twice the distance of its centre: at most the width.
-            let centre = row << 8 | 128;
-            let away = difference(centre, y) << 1;
-            let square = width.wrapping_mul(width).wrapping_sub(away.wrapping_mul(away));
-            if square < 0 {
-                continue;
-            }
-            let root = square_root(magnitude(square));
-            let is_more = closed || root & 1 != 0 || i64::from(root).wrapping_mul(root.into()) != square;
-            let reach = signed(root >> 1);
-            let (left, right) = (x.saturating_sub(reach), x.saturating_add(reach).saturating_add(is_more.into()));
-            let [a, b] = [left, right].map(|x| [0, 1].map(|more| PointFx::from_bits(x, centre.wrapping_add(more))));
-            self.line(a[0], a[1]);
-            self.line(b[1], b[0]);
-        }
-    }
-
-    /// Whether a straight line between the offsets in two directions would cut off 32 units or more of the circle that they lie on:
-    /// at an angle a it cuts off about `w (1 - cos a) / 8`.
-    fn turns_much(&self, u: Direction, v: Direction) -> bool {
-        let less = magnitude((1_i64 << 60).wrapping_sub(u.dot(v)).max(0)) >> 30;
-        less.wrapping_mul(self.pen.width.into()) > 256 << 30
-    }
-
-    /// Both borders of a side.
-    fn band(&mut self, start: End, end: End) {
-        let (a, b) = (start.at, end.at);
-        let [right, left] = [start.offset, opposite(start.offset)].map(|o| moved(a, o));
-        let [right_end, left_end] = [end.offset, opposite(end.offset)].map(|o| moved(b, o));
-        let fold = if start.offset == end.offset { None } else { fold(&start, &end, self.pen.width) };
-        let Some((is_right, apex)) = fold else {
-            self.line(right, right_end);
-            return self.line(left_end, left);
-        };
-        // Behind the apex one border goes backwards, and what it encloses counts as minus one. With that twice more, it is one.
-        let (from, to) = if is_right {
-            self.line(left_end, left);
-            (right_end, right)
-        } else {
-            self.line(right, right_end);
-            (left, left_end)
-        };
-        self.line(from, to);
-        for _ in 0..2 {
-            self.line(apex, from);
-            self.line(to, apex);
-        }
-    }
-}
-
-impl Follow for Border<'_> {
-    fn side<O: Outline>(&mut self, side: &Side, _: &O) {
+    /// The side and what is between it and the last one.
+    fn add(&mut self, side: &Side) {
         let &Side { a, b, start, ways: [ua, ub] } = side;
-        let is_straight = ua == ub;
-        let from = End { is_drawn: !self.pen.sight.hides(a, b), ..self.end(a, ua, is_straight.then_some(b)) };
-        match self.last {
-            Last::Side(last) => self.join(last, from, start == Start::Smooth),
+        let is_straight = !CURVED || ua == ub;
+        let from =
+            End { is_drawn: !self.pieces.pen.sight.hides(a, b), ..self.pieces.end(a, ua, is_straight.then_some(b)) };
+        match &self.last {
+            Last::Side(last) => self.pieces.join(last, &from, start == Start::Smooth),
             Last::Nothing if start == Start::Ring => self.first = Some(from),
-            Last::Nothing => self.cap(End { u: ua.back(), offset: opposite(from.offset), ..from }),
-            Last::Hidden if from.is_drawn => self.across(a, opposite(from.offset)),
+            Last::Nothing => self.pieces.cap(&End { u: ua.back(), offset: opposite(from.offset), ..from }),
+            Last::Hidden if from.is_drawn => self.pieces.across(a, opposite(from.offset)),
             Last::Hidden => {}
         }
         let end = if is_straight {
             End { at: b, other: Some(a), ..from }
         } else {
-            End { is_drawn: from.is_drawn, ..self.end(b, ub, None) }
+            End { is_drawn: from.is_drawn, ..self.pieces.end(b, ub, None) }
         };
         self.last = Last::Side(end);
         if !from.is_drawn {
@@ -287,41 +67,47 @@ impl Follow for Border<'_> {
         }
         // A side that turns by more than its border may does so within a hair, or it would not be one side. There, and where the
         // stroke is thin, the pen turns before the side and after it.
-        let turns = !is_straight && (self.pen.width <= THIN || self.turns_much(ua, ub));
+        let turns = !is_straight && (self.pieces.pen.width <= THIN || self.pieces.turns_much(ua, ub));
         match if turns { Direction::between(a, b) } else { None } {
-            None => self.band(from, end),
+            None => self.pieces.band(&from, &end),
             Some(u) => {
-                let (start, stop) = (self.end(a, u, Some(b)), self.end(b, u, Some(a)));
-                self.join(from, start, true);
-                self.band(start, stop);
-                self.join(stop, end, true);
+                let (start, stop) = (self.pieces.end(a, u, Some(b)), self.pieces.end(b, u, Some(a)));
+                self.pieces.join(&from, &start, true);
+                self.pieces.band(&start, &stop);
+                self.pieces.join(&stop, &end, true);
             }
         }
     }
+}
+
+impl<const CURVED: bool> Follow for Border<'_, CURVED> {
+    fn side<O: Outline>(&mut self, side: &Side, _: &O) {
+        self.add(side);
+    }
 
     fn hidden<O: Outline>(&mut self, _: PointFx, _: PointFx, _: &O) {
-        match self.last {
-            Last::Side(last) if last.is_drawn => self.across(last.at, last.offset),
+        match &self.last {
+            Last::Side(last) if last.is_drawn => self.pieces.across(last.at, last.offset),
             _ => {}
         }
         self.last = Last::Hidden;
     }
 
     fn stop(&mut self) {
-        if let Last::Side(last) = self.last {
-            self.cap(last);
+        if let Last::Side(last) = &self.last {
+            self.pieces.cap(last);
         }
         self.last = Last::Nothing;
     }
 
     fn close(&mut self) {
-        match (self.last, self.first.take()) {
-            (Last::Side(last), Some(first)) => self.join(last, first, false),
+        match (&self.last, self.first.take()) {
+            (Last::Side(last), Some(first)) => self.pieces.join(last, &first, false),
             // Of a ring without a start nothing can be seen there, or a dash ends there.
-            (Last::Side(last), None) => self.cap(last),
-            (Last::Hidden, Some(first)) if first.is_drawn => self.across(first.at, opposite(first.offset)),
+            (Last::Side(last), None) => self.pieces.cap(last),
+            (Last::Hidden, Some(first)) if first.is_drawn => self.pieces.across(first.at, opposite(first.offset)),
             (Last::Nothing, Some(first)) => {
-                self.cap(End { u: first.u.back(), offset: opposite(first.offset), ..first });
+                self.pieces.cap(&End { u: first.u.back(), offset: opposite(first.offset), ..first });
             }
             _ => {}
         }
@@ -329,92 +115,6 @@ impl Follow for Border<'_> {
     }
 
     fn dot(&mut self, at: PointFx) {
-        match self.pen.cap {
-            _ if self.pen.sight.hides(at, at) => {}
-            Cap::Butt => {}
-            Cap::Square => {
-                for u in [Direction::RIGHT, Direction::RIGHT.back()] {
-                    let end = self.end(at, u, None);
-                    self.cap(end);
-                }
-            }
-            Cap::Round => self.disc(at),
-        }
+        self.pieces.dot(at);
     }
-}
-
-const fn opposite((x, y): Offset) -> Offset {
-    (x.wrapping_neg(), y.wrapping_neg())
-}
-
-/// The cross product of two vectors below 2^34 and 2^26.
-fn cross(a: (i64, i64), b: Offset) -> i64 {
-    a.0.wrapping_mul(b.1.into()).wrapping_sub(a.1.wrapping_mul(b.0.into()))
-}
-
-const fn wide((x, y): Offset) -> (i64, i64) {
-    (x as i64, y as i64)
-}
-
-/// The vector from a place to another.
-fn between(a: PointFx, b: PointFx) -> (i64, i64) {
-    let (a, b) = (bits(a), bits(b));
-    (difference(b.0, a.0), difference(b.1, a.1))
-}
-
-/// Whether a place may not be moved by half a width without stopping at the end of the type.
-pub(super) fn is_far_out(at: PointFx) -> bool {
-    let (x, y) = bits(at);
-    (x.unsigned_abs() | y.unsigned_abs()) >> 30 != 0
-}
-
-/// Whether the way on the inner side of a corner, from one offset by the corner to the other, can be cut short. It can where the
-/// triangle between these three places lies in both sides: it was wound around twice, and still is once.
-fn is_inside(last: &End, next: &End, is_right: bool) -> bool {
-    let (Some(a), Some(b)) = (last.other, next.other) else { return false };
-    if [a, b, next.at].into_iter().any(is_far_out) {
-        return false;
-    }
-    let side = |o: Offset| if is_right { o } else { opposite(o) };
-    let (p, q) = (side(last.offset), side(next.offset));
-    // The products of a corner that turns left have the other sign.
-    let signed = |product: i64| if is_right { product } else { product.wrapping_neg() };
-    let (d, e) = (between(a, next.at), between(next.at, b));
-    let sum = |d: (i64, i64), o: Offset| (d.0.wrapping_add(o.0.into()), d.1.wrapping_add(o.1.into()));
-    let (ahead, behind) = (sum(d, q), sum((e.0.wrapping_neg(), e.1.wrapping_neg()), p));
-    // Between the lines across at both ends of the last side, and not beyond its borders; and the same for the next side.
-    let across = |side: (i64, i64), o: Offset| cross(side, o).unsigned_abs();
-    signed(cross(wide(p), q)) >= 0
-        && signed(cross(ahead, p)) >= 0
-        && across(d, q) <= across(d, p)
-        && signed(cross(behind, q)) <= 0
-        && across(e, p) <= across(e, q)
-}
-
-/// If a side bends so much that the offsets of its ends cross: whether they do so on the right, and a place a little before the
-/// crossing. The triangle from there to the far ends of both holds all that lies behind the crossing.
-fn fold(start: &End, end: &End, width: u32) -> Option<(bool, PointFx)> {
-    let (r, s) = (start.offset, end.offset);
-    let chord = between(start.at, end.at);
-    // Where they cross, as shares of both, is at `along / turn` and at `back / turn`.
-    let (along, back, turn) = (cross(chord, s), cross(chord, r), cross(wide(r), s));
-    let whole = turn.unsigned_abs();
-    if along.unsigned_abs() >= whole || back.unsigned_abs() >= whole || (along < 0) != (back < 0) {
-        return None;
-    }
-    let is_right = (along < 0) == (turn < 0);
-    // Below 2^31.
-    let shift = 33_u32.saturating_sub(whole.leading_zeros());
-    let divisor = NonZeroU32::new(low_u32(whole.wrapping_shr(shift)))?;
-    let before = |share: i64, at: PointFx, offset: Offset| {
-        // As much before the crossing as makes two units to the sides.
-        let share = share.unsigned_abs().saturating_sub(u64::from(width) << 1);
-        let (share, _) = div_rem_wide(share.wrapping_shr(shift) << 31, divisor);
-        let part = |n: i32| saturate(signed_wide(share.into()).wrapping_mul(n.into()) >> 31);
-        let inner = if is_right { offset } else { opposite(offset) };
-        bits(moved(at, (part(inner.0), part(inner.1))))
-    };
-    let (p, q) = (before(along, start.at, r), before(back, end.at, s));
-    let middle = |p: i32, q: i32| narrow(i64::from(p).wrapping_add(q.into()) >> 1);
-    Some((is_right, PointFx::from_bits(middle(p.0, q.0), middle(p.1, q.1))))
 }

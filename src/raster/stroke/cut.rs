@@ -17,8 +17,13 @@ pub trait Cut: Copy {
     /// Whether there are no dashes at all.
     const IS_SOLID: bool = false;
 
-    /// The border of contours, line by line.
-    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx));
+    /// The border of contours, line by line; they may be `CURVED`.
+    fn border<O: Outline, const CURVED: bool>(
+        self,
+        contours: impl Iterator<Item = O>,
+        pen: Pen,
+        each: &mut dyn FnMut(PointFx, PointFx),
+    );
 }
 
 /// No dashes.
@@ -26,8 +31,13 @@ impl Cut for () {
     const IS_SOLID: bool = true;
 
     #[inline]
-    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx)) {
-        let mut border = Border::new(pen, each);
+    fn border<O: Outline, const CURVED: bool>(
+        self,
+        contours: impl Iterator<Item = O>,
+        pen: Pen,
+        each: &mut dyn FnMut(PointFx, PointFx),
+    ) {
+        let mut border = Border::<CURVED>::new(pen, each);
         for outline in contours {
             follow(outline, pen.sight, pen.width <= THIN, &mut border);
         }

@@ -86,13 +86,18 @@ impl Stroke {
 }
 
 impl Cut for Dash<'_> {
-    fn border<O: Outline>(self, contours: impl Iterator<Item = O>, pen: Pen, each: &mut dyn FnMut(PointFx, PointFx)) {
-        let Some(pattern) = Pattern::new(self.lengths, pen.width) else { return ().border(contours, pen, each) };
-        let (sight, first) = (pen.sight.wider(OVERSHOT), pattern.start(self.phase));
-        let border = Border::new(pen, each);
+    fn border<O: Outline, const CURVED: bool>(
+        self,
+        contours: impl Iterator<Item = O>,
+        pen: Pen,
+        each: &mut dyn FnMut(PointFx, PointFx),
+    ) {
+        let pattern = Pattern::new(self.lengths, pen.width);
+        let (sight, first) = (pen.sight.wider(OVERSHOT), pattern.map_or(Place::default(), |p| p.start(self.phase)));
+        let border = Border::<CURVED>::new(pen, each);
         let mut cutter = Cutter { border, sight, pattern, first, at: first, skipped: 0, has_ended: false };
         for outline in contours {
-            follow(outline.front(sight, true), sight, pen.width <= THIN, &mut cutter);
+            follow(outline.front(sight, pattern.is_some()), sight, pen.width <= THIN, &mut cutter);
         }
     }
 }
@@ -147,6 +152,7 @@ impl<'a> Pattern<'a> {
     }
 
     /// A distance less all whole periods. It is below 2^44, or below 2^43 more than a period.
+    #[inline(never)]
     fn rest(&self, distance: u64) -> u64 {
         if let Some(period) = NonZeroU32::new(low_u32(self.period)).filter(|_| self.period >> 32 == 0) {
             return u64::from(div_rem_wide(distance, period).1);
@@ -162,6 +168,7 @@ impl<'a> Pattern<'a> {
     }
 
     /// Moves a place on by a distance of at most one period.
+    #[inline(never)]
     fn advance(&self, at: &mut Place, mut distance: u64) {
         while distance > 0 && distance >= at.left {
             #[cfg(test)]
@@ -228,10 +235,11 @@ impl Length {
 }
 
 /// Cuts sides into dashes.
-struct Cutter<'a, 'b> {
-    border: Border<'b>,
+struct Cutter<'a, 'b, const CURVED: bool> {
+    border: Border<'b, CURVED>,
     sight: Sight,
-    pattern: Pattern<'a>,
+    /// `None` if it is solid.
+    pattern: Option<Pattern<'a>>,
     /// The place in it at which a contour starts.
     first: Place,
     at: Place,
@@ -241,25 +249,28 @@ struct Cutter<'a, 'b> {
     has_ended: bool,
 }
 
-impl Follow for Cutter<'_, '_> {
+impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
     fn side<O: Outline>(&mut self, side: &Side, outline: &O) {
+        let Some(pattern) = self.pattern else { return self.border.side(side, outline) };
         self.end();
         let &Side { a, b, ways: [start, end], .. } = side;
         let u = if start == end { start } else { Direction::between(a, b).unwrap_or(start) };
-        let skipped = self.pattern.rest(mem::take(&mut self.skipped));
-        self.pattern.advance(&mut self.at, skipped);
+        let skipped = pattern.rest(mem::take(&mut self.skipped));
+        pattern.advance(&mut self.at, skipped);
         let (straight, more) = measure(a, b, outline);
         let mut length = Length { side: *side, u, straight, whole: straight.wrapping_add(more), s: 0 };
         while length.s != length.whole {
-            self.cut(&mut length, outline);
+            self.cut(&pattern, &mut length, outline);
         }
     }
 
     fn hidden<O: Outline>(&mut self, a: PointFx, b: PointFx, outline: &O) {
-        // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
-        self.has_ended = false;
-        let (length, more) = measure(a, b, outline);
-        self.skip(length.wrapping_add(more));
+        if let Some(pattern) = self.pattern {
+            // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
+            self.has_ended = false;
+            let (length, more) = measure(a, b, outline);
+            self.skip(&pattern, length.wrapping_add(more));
+        }
         self.border.hidden(a, b, outline);
     }
 
@@ -280,7 +291,7 @@ impl Follow for Cutter<'_, '_> {
     }
 }
 
-impl Cutter<'_, '_> {
+impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
     fn restart(&mut self) {
         (self.at, self.skipped, self.has_ended) = (self.first, 0, false);
     }
@@ -293,15 +304,15 @@ impl Cutter<'_, '_> {
     }
 
     /// Moves on by a distance below 2^42 and a little more.
-    fn skip(&mut self, distance: u64) {
+    fn skip(&mut self, pattern: &Pattern<'_>, distance: u64) {
         self.skipped = self.skipped.wrapping_add(distance);
         if self.skipped >> 43 != 0 {
-            self.skipped = self.pattern.rest(self.skipped);
+            self.skipped = pattern.rest(self.skipped);
         }
     }
 
     /// Goes on by one length of the pattern, or to the end of a side, or over whole periods that cannot be seen.
-    fn cut<O: Outline>(&mut self, length: &mut Length, outline: &O) {
+    fn cut<O: Outline>(&mut self, pattern: &Pattern<'_>, length: &mut Length, outline: &O) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Dash);
         let (s, side) = (length.s, length.side);
@@ -309,17 +320,17 @@ impl Cutter<'_, '_> {
         // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
         if s > 0 {
             let mut beside = self.sight.beside(from).min(left);
-            if self.sight.hides(from, side.b) {
+            if beside > 0 && self.sight.hides(from, side.b) {
                 if self.sight.hides_corner(side.b) {
-                    self.skip(left);
+                    self.skip(pattern, left);
                     length.s = length.whole;
                     // What was on has ended at `from`, so there is nothing open.
                     return self.border.hidden(from, side.b, outline);
                 }
                 beside = left;
             }
-            if beside >= self.pattern.period {
-                length.s = s.wrapping_add(beside.wrapping_sub(self.pattern.rest(beside)));
+            if beside >= pattern.period {
+                length.s = s.wrapping_add(beside.wrapping_sub(pattern.rest(beside)));
                 return;
             }
         }
@@ -329,7 +340,7 @@ impl Cutter<'_, '_> {
         self.at.left = self.at.left.wrapping_sub(left);
         let ends = self.at.left == 0;
         if ends {
-            self.pattern.next(&mut self.at);
+            pattern.next(&mut self.at);
         }
         if on {
             self.dash(length, (s, from), outline);

@@ -50,16 +50,19 @@ impl Direction {
     }
 
     /// Positive if the other one points to the right of this one.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn cross(self, other: Self) -> i64 {
         let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
         product(self.x, other.y).wrapping_sub(product(self.y, other.x))
     }
 
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn dot(self, other: Self) -> i64 {
         self.cross(other.right())
     }
 
     /// A turn to the left, by an angle of this cosine and sine.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn turned(self, (cos, sin): (i32, i32)) -> Self {
         let by = Self { x: cos, y: sin };
         let rounded = |n: i64| narrow(n.wrapping_add(1 << 29) >> 30);
@@ -67,6 +70,7 @@ impl Direction {
     }
 
     /// Half of a width in this direction, rounded away from zero.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn offset(self, width: u32) -> (i32, i32) {
         let half = |n: i32| {
             let product = u64::from(width).wrapping_mul(u64::from(n.unsigned_abs()));
@@ -124,6 +128,7 @@ pub(crate) fn with_sign(n: u32, sign: i64) -> i32 {
 }
 
 /// A place moved by (x, y). Coordinates stop at the ends of the type.
+#[cfg_attr(embedded_raster_compact, inline(never))]
 pub(crate) fn moved(v: PointFx, (x, y): (i32, i32)) -> PointFx {
     let (vx, vy) = bits(v);
     PointFx::from_bits(vx.saturating_add(x), vy.saturating_add(y))

@@ -51,6 +51,7 @@ mod cut;
 mod dash;
 mod direction;
 mod pen;
+mod pieces;
 mod quad;
 mod sides;
 mod style;
@@ -128,7 +129,7 @@ pub fn fill_polyline<D: Dashing>(
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
     if let (true, false, [a, b]) = (LINES && D::IS_SOLID && stroke.cap == Cap::Butt, closed, places) {
-        if [a, b].into_iter().all(|&end| !border::is_far_out(end)) {
+        if [a, b].into_iter().all(|&end| !pieces::is_far_out(end)) {
             quad::fill(&Pen::new(stroke, window), *a, *b, window, sink);
             return Ok(());
         }
@@ -178,7 +179,7 @@ pub(super) fn path_border<D: Dashing>(
     each: &mut dyn FnMut(PointFx, PointFx),
 ) {
     let pen = Pen::new(stroke, window);
-    stroke.dash.border(Contours::wide(path, window, pen.reach, pen.width), pen, each);
+    stroke.dash.border::<_, true>(Contours::wide(path, window, pen.reach, pen.width), pen, each);
 }
 
 pub(super) fn polyline_border<D: Dashing>(
@@ -189,7 +190,7 @@ pub(super) fn polyline_border<D: Dashing>(
     each: &mut dyn FnMut(PointFx, PointFx),
 ) {
     let lines = Polyline { places: places.iter(), closed };
-    stroke.dash.border([lines].into_iter(), Pen::new(stroke, window), each);
+    stroke.dash.border::<_, false>([lines].into_iter(), Pen::new(stroke, window), each);
 }
 
 /// A box that encloses the pixels of a stroked path: that of the path, with as much around it as a join or a cap may reach.

@@ -81,9 +81,15 @@ impl Sight {
 }
 
 impl Pen {
+    /// How wide a stroke is, in units: up to 2^24.
+    #[inline]
+    pub(super) fn width<D>(stroke: &Stroke<D>) -> u32 {
+        unsigned(stroke.width.max(stroke.min_width).to_bits().clamp(0, 1 << 24))
+    }
+
     /// For strokes that `window` may show.
     pub(super) fn new<D>(stroke: &Stroke<D>, window: Rect) -> Self {
-        let width = unsigned(stroke.width.max(stroke.min_width).to_bits().clamp(0, 1 << 24));
+        let width = Self::width(stroke);
         let limit = unsigned(stroke.miter_limit.to_bits().clamp(0, 0xffff));
         let turn = TURNS.iter().find(|&&(most, _)| width <= most).map_or((0, 0), |turn| turn.1);
         // Half the width for round joins, times the root of 2 for the corners of a square cap, the limit for a miter.
