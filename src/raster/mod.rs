@@ -34,6 +34,7 @@ pub mod triangle;
 mod bands;
 mod round;
 mod slope;
+mod sum;
 #[cfg(test)]
 mod work;
 

@@ -130,7 +130,7 @@ pub fn fill_polyline<D: Dashing>(
 ) -> Result<(), EdgeTableFull> {
     if let (true, false, [a, b]) = (LINES && D::IS_SOLID && stroke.cap == Cap::Butt, closed, places) {
         if [a, b].into_iter().all(|&end| !pieces::is_far_out(end)) {
-            quad::fill(&Pen::new(stroke, window), *a, *b, window, sink);
+            quad::fill(Pen::width(stroke), *a, *b, window, sink);
             return Ok(());
         }
     }

@@ -19,7 +19,7 @@
 //! equal ones lies no pixel.
 //!
 //! How crossings are found depends on the chip and the opt-level: by sums of fixed-point numbers where that is exact (the proof is
-//! in `sums`), or by quotient and remainder (`steps`). A build for size has the second way only.
+//! in `raster::sum`), or by quotient and remainder (`steps`). A build for size has the second way only.
 //!
 //! Work of [`fill`]: six divisions at most, or as many for each 64 rows of a larger one, and two additions for each row of the window
 //! between the highest and the lowest corner. Of [`walk`]: three additions for each pixel of the window in the box around the corners,
@@ -37,12 +37,9 @@ pub use self::walk::{walk, walk_blocks};
 use crate::{
     geom::{bits, PointFx},
     num::round::first_centre_from,
+    raster::sum::SUMS,
     span::{Rect, Sink},
-    tune::{COMPACT, DIVIDES},
 };
-
-/// Whether triangles are filled by sums, or by quotient and remainder.
-const SUMS: bool = DIVIDES && !COMPACT;
 
 /// Emits the spans of a filled triangle that lie in `window`, top row first.
 ///
@@ -157,7 +154,7 @@ mod tests {
         }
     }
 
-    /// Where a proof in `sums` ends: one row more, or half of the margin less or more, and a pixel would be wrong.
+    /// Where a proof in `raster::sum` ends: one row more, or half of the margin less or more, and a pixel would be wrong.
     #[test]
     fn sums_at_the_bounds_of_their_proofs() {
         let window = Rect::new(0, 0, 200, 200);
