@@ -104,10 +104,18 @@ calls! {
         let (first, second) = a.contour.split_at_checked(a.length(5) % 8).unwrap_or((a.contour, &[]));
         coverage::fill([first, second], rule, table, cells, window, look).is_ok()
     });
+    fill_true => covered(|table, cells, look| {
+        let (first, second) = a.contour.split_at_checked(a.length(5) % 8).unwrap_or((a.contour, &[]));
+        coverage::fill_true([first, second], rule, table, cells, window, look).is_ok()
+    });
     [line]
     line => covered(|_, cells, look| { coverage::line(p, q, cells, window, look); true });
     [shapes]
     path => covered(|table, cells, look| coverage::path(path, rule, table, cells, window, look).is_ok());
+    path_true => covered(|table, cells, look| coverage::path_true(path, rule, table, cells, window, look).is_ok());
+    stroke_true => covered(|table, cells, look| {
+        coverage::stroke_true(path, &a.stroke.dashed(a.dashes, a.phase), table, cells, window, look).is_ok()
+    });
     stroke => covered(|table, cells, look| {
         coverage::stroke(path, &a.stroke.dashed(a.dashes, a.phase), table, cells, window, look).is_ok()
     });

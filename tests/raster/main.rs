@@ -15,3 +15,4 @@ mod polygon;
 mod soft_shapes;
 mod stroke;
 mod triangle;
+mod true_area;

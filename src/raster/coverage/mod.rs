@@ -22,7 +22,10 @@
 //! fill rule is applied to it as a whole; as long as the winding numbers in the pixel are 0 and 1, or 0 and -1, that is the area of
 //! the shape. Otherwise what two parts share counts twice: by the non-zero rule up to the whole pixel, by the even-odd rule what is
 //! beyond the whole pixel is taken away again. Two loops of a bow-tie that turn in opposite directions cancel out. Only the pixel of
-//! the crossing is wrong: its neighbours, and pixels where sides meet at a corner, are right.
+//! the crossing is wrong: its neighbours, and pixels where sides meet at a corner, are right. [`fill_true`], [`path_true`] and
+//! [`stroke_true`] find the true area in such pixels (`true_area.rs`), for more time there.
+//!
+//! **Rows with two sides**, which are most rows of triangles, lines and other simple shapes, take no cells: `pair.rs`.
 //!
 //! **Memory.** Scratch memory for the sides, 44 bytes each, and for the cells: 4 bytes a pixel of the width, and 4 for each 32
 //! pixels ([`cells`] counts them). With less, a row is drawn in strips, with the same result, and with a look at each side for
@@ -39,14 +42,16 @@
 
 mod fill;
 mod line;
+mod pair;
 mod row;
 mod shapes;
 mod slot;
 mod strip;
+mod true_area;
 
 pub use self::{
-    fill::{cells, extent, fill},
+    fill::{cells, extent, fill, fill_true},
     line::line,
-    shapes::{ellipse, path, rectangle, rounded, stroke, stroke_polyline, triangle},
+    shapes::{ellipse, path, path_true, rectangle, rounded, stroke, stroke_polyline, stroke_true, triangle},
     slot::CoverageSlot,
 };

@@ -38,9 +38,35 @@ pub fn path(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    let segments = path.into_iter();
+    any_path::<false>(path.into_iter(), rule, (table, cells), window, sink)
+}
+
+/// As [`path`], with the true area where sides cross inside of a pixel: see [`fill_true`](super::fill_true).
+///
+/// # Errors
+/// As for [`fill`].
+#[inline]
+pub fn path_true(
+    path: impl IntoIterator<IntoIter = impl Segments>,
+    rule: FillRule,
+    table: &mut [CoverageSlot],
+    cells: &mut [i32],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    any_path::<true>(path.into_iter(), rule, (table, cells), window, sink)
+}
+
+#[inline(always)]
+fn any_path<const TRUE: bool>(
+    segments: impl Segments,
+    rule: FillRule,
+    memory: (&mut [CoverageSlot], &mut [i32]),
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
     let load = |band: Rect, loader: &mut Loader<'_>| loader.contours(Contours::finely_within(segments.clone(), band));
-    fill_sides(&load, rule, (table, cells), window, sink)
+    fill_sides::<TRUE>(&load, rule, memory, window, sink)
 }
 
 /// Tells what a stroked path covers. A stroke thinner than a pixel covers as much as it is wide. At the rims of joins, a pixel in
@@ -57,11 +83,38 @@ pub fn stroke<D: Dashing>(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    let (segments, stroke) = (path.into_iter(), &thin(stroke));
+    any_stroke::<D, false>(path.into_iter(), stroke, (table, cells), window, sink)
+}
+
+/// As [`stroke`], with the true area where pieces of the stroke overlap in a pixel: see [`fill_true`](super::fill_true).
+///
+/// # Errors
+/// As for [`stroke`].
+#[inline]
+pub fn stroke_true<D: Dashing>(
+    path: impl IntoIterator<IntoIter = impl Segments>,
+    stroke: &Stroke<D>,
+    table: &mut [CoverageSlot],
+    cells: &mut [i32],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    any_stroke::<D, true>(path.into_iter(), stroke, (table, cells), window, sink)
+}
+
+#[inline(always)]
+fn any_stroke<D: Dashing, const TRUE: bool>(
+    segments: impl Segments,
+    stroke: &Stroke<D>,
+    memory: (&mut [CoverageSlot], &mut [i32]),
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    let stroke = &thin(stroke);
     let load = |band: Rect, loader: &mut Loader<'_>| {
         path_border(segments.clone(), stroke, band, &mut |a, b| loader.side(a, b));
     };
-    fill_sides(&load, FillRule::NonZero, (table, cells), window, sink)
+    fill_sides::<TRUE>(&load, FillRule::NonZero, memory, window, sink)
 }
 
 /// The same stroke without a least width: what covers little of a pixel shows little.
@@ -86,7 +139,7 @@ pub fn stroke_polyline<D: Dashing>(
     let load = |band: Rect, loader: &mut Loader<'_>| {
         polyline_border(places, closed, stroke, band, &mut |a, b| loader.side(a, b));
     };
-    fill_sides(&load, FillRule::NonZero, (table, cells), window, sink)
+    fill_sides::<false>(&load, FillRule::NonZero, (table, cells), window, sink)
 }
 
 /// Tells what a circle or an ellipse covers. Where it is given by its box it touches the sides of it.

@@ -136,14 +136,69 @@ impl CoverageSlot {
         last_row(self.bottom)
     }
 
+    /// Whether it goes through row y from border to border, and on, in steps.
+    #[inline(always)]
+    pub(super) fn passes(&self, y: i32) -> bool {
+        !self.is_far && self.top <= y << 8 && y < self.last_row()
+    }
+
+    /// Where it enters its row, and where it leaves it, as long as it goes on below.
+    #[inline(always)]
+    pub(super) fn state(&self) -> (i32, Stepper) {
+        (self.x.get(), self.crossing.get())
+    }
+
+    /// Where it is some rows below.
+    #[inline(always)]
+    pub(super) fn set_state(&self, (x, crossing): (i32, Stepper)) {
+        self.x.set(x);
+        self.crossing.set(crossing);
+    }
+
+    /// Whether the sides go in opposite directions.
+    #[inline(always)]
+    pub(super) fn is_opposite(&self, other: &Self) -> bool {
+        self.winding != other.winding
+    }
+
+    /// Its upper and its lower end on row y, in units below the upper border of the row.
+    #[inline(always)]
+    fn heights(&self, y: i32) -> (u32, u32) {
+        let inside = |v: i32| unsigned(v.wrapping_sub(y << 8));
+        let above = if y == self.first_row() { inside(self.top) } else { 0 };
+        (above, if y == self.last_row() { inside(self.bottom) } else { 256 })
+    }
+
+    /// Where it goes through row y, along the row from the left side of the window, which is `window` steps from column 0.
+    pub(super) fn across(&self, y: i32, window: i64) -> Across {
+        let (x, next) = if self.is_far {
+            let [x, next] = self.far_ends(y);
+            (x.wrapping_sub(window), next.wrapping_sub(window))
+        } else {
+            let next = if y == self.last_row() { self.end_x } else { self.crossing.get().value };
+            (self.x.get().into(), next.into())
+        };
+        let (above, below) = self.heights(y);
+        let [top, bottom] = [above, below].map(|units| signed(units << UNIT_BITS));
+        let winding = self.winding.into();
+        Across { from: x.min(next), to: x.max(next), is_rightward: x <= next, top, bottom, winding }
+    }
+
+    /// Steps down from row y.
+    pub(super) fn step(&self, y: i32) {
+        if !self.is_far {
+            let mut crossing = self.crossing.get();
+            self.x.set(if y == self.last_row() { self.end_x } else { crossing.value });
+            crossing.step();
+            self.crossing.set(crossing);
+        }
+    }
+
     /// Adds what it covers of a strip of row y. With the last strip of the row it steps down to the next one.
     #[inline(always)]
     pub(super) fn cover(&self, y: i32, strip: &mut Strip<'_>, is_last_strip: bool) {
-        let (begins, ends) = (y == self.first_row(), y == self.last_row());
-        // In units below the upper border of the row.
-        let inside = |v: i32| unsigned(v.wrapping_sub(y << 8));
-        let below = if ends { inside(self.bottom) } else { 256 };
-        let above = if begins { inside(self.top) } else { 0 };
+        let ends = y == self.last_row();
+        let (above, below) = self.heights(y);
         let height = below.wrapping_sub(above) << UNIT_BITS;
         if self.is_far {
             return self.cover_far(y, height, strip);
@@ -158,15 +213,40 @@ impl CoverageSlot {
         strip.cover(x.min(next), x.max(next), height, self.winding.into());
     }
 
-    #[cold]
-    #[inline(never)]
-    fn cover_far(&self, y: i32, height: u32, strip: &mut Strip<'_>) {
+    /// Where a far side enters row y, and where it leaves it, in steps from column 0.
+    fn far_ends(&self, y: i32) -> [i64; 2] {
         let (from, to) = ((self.x.get(), self.top), (self.end_x, self.bottom));
         let x = if y == self.first_row() { i64::from(from.0) << UNIT_BITS } else { far_crossing(from, to, y) };
         let ends = y == self.last_row();
-        let next = if ends { i64::from(to.0) << UNIT_BITS } else { far_crossing(from, to, y.wrapping_add(1)) };
+        [x, if ends { i64::from(to.0) << UNIT_BITS } else { far_crossing(from, to, y.wrapping_add(1)) }]
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn cover_far(&self, y: i32, height: u32, strip: &mut Strip<'_>) {
+        let [x, next] = self.far_ends(y);
         let left = strip.far_left();
         strip.cover_far(x.min(next).wrapping_sub(left), x.max(next).wrapping_sub(left), height, self.winding.into());
+    }
+}
+
+/// A side on its way through a row.
+pub(super) struct Across {
+    /// Its left and its right end.
+    pub(super) from: i64,
+    pub(super) to: i64,
+    /// Whether the left end is the upper one.
+    pub(super) is_rightward: bool,
+    /// Its ends in steps below the upper border of the row.
+    pub(super) top: i32,
+    pub(super) bottom: i32,
+    pub(super) winding: i32,
+}
+
+impl Across {
+    #[inline]
+    pub(super) fn height(&self) -> u32 {
+        unsigned(self.bottom.wrapping_sub(self.top))
     }
 }
 

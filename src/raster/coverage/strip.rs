@@ -144,9 +144,7 @@ impl<'a> Strip<'a> {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Step);
         let column = index(signed(column));
-        // Below 2^31, as both factors are at most 2^15 and 2^16, and half a unit.
-        let product = height.wrapping_mul((2 * PIXEL).wrapping_sub(insets));
-        let area = product.wrapping_add(1 << (PRODUCT_BITS - 1)) >> PRODUCT_BITS;
+        let area = rounded_area(height, (2 * PIXEL).wrapping_sub(insets));
         let rest = (height << HEIGHT_BITS).wrapping_sub(area);
         let Some([cell, next]) = self.cells.get_mut(column..).and_then(<[i32]>::first_chunk_mut) else { return };
         *cell = cell.wrapping_add(signed(area).wrapping_mul(winding));
@@ -240,10 +238,12 @@ impl<'a> Strip<'a> {
         self.put(column, height.wrapping_sub(done), enter.wrapping_add(low_u32(magnitude(inset))), winding);
     }
 
-    /// Tells a row what all its pixels in the strip are covered, and empties the cells.
+    /// Tells a row what all its pixels in the strip are covered, and empties the cells. `level` makes a level of a sum and of the
+    /// column, counted from the left side of the strip; of pixels of the same sum beside each other it is asked for the first one.
     #[inline(always)]
-    pub(super) fn sum_up(&mut self, rule: FillRule, row: &mut Row<'_, impl Sink>) {
+    pub(super) fn sum_up(&mut self, level: impl Fn(i32, usize) -> u8, row: &mut Row<'_, impl Sink>) {
         let (mut sum, column) = (take(&mut self.carry), self.column);
+        let mut told = 0;
         let column = |cell: usize| column.wrapping_add(signed(low_u32(cell as u64)));
         let width = index(signed(self.width));
         let (first, last) = replace(&mut self.words, NO_WORDS);
@@ -262,10 +262,14 @@ impl<'a> Strip<'a> {
                 let end = first.wrapping_add((!(rest << first)).leading_zeros());
                 rest &= u32::MAX.checked_shr(end).unwrap_or(0);
                 let [first, end] = [first, end].map(|bit| base.wrapping_add(bit as usize).min(width));
-                row.run_to(column(first), level(sum, rule));
+                if told < first {
+                    row.run_to(column(first), level(sum, told));
+                }
+                told = first;
                 for cell in self.cells.get_mut(first..end).unwrap_or_default() {
                     sum = sum.wrapping_add(take(cell));
-                    row.put(level(sum, rule));
+                    row.put(level(sum, told));
+                    told = told.wrapping_add(1);
                 }
             }
             base = base.wrapping_add(32);
@@ -273,13 +277,15 @@ impl<'a> Strip<'a> {
         if let Some(beyond) = self.cells.get_mut(width) {
             *beyond = 0;
         }
-        row.run_to(column(width), level(sum, rule));
+        if told < width {
+            row.run_to(column(width), level(sum, told));
+        }
     }
 }
 
 /// The level of a pixel: what is covered of it in 255ths, rounded to nearest, halves upwards.
 #[inline(always)]
-fn level(sum: i32, rule: FillRule) -> u8 {
+pub(super) fn level(sum: i32, rule: FillRule) -> u8 {
     let (size, full) = (sum.unsigned_abs(), 1 << AREA_BITS);
     let area = match rule {
         FillRule::NonZero => size.min(full),
@@ -289,7 +295,26 @@ fn level(sum: i32, rule: FillRule) -> u8 {
             size.min((2 * full).wrapping_sub(size))
         }
     };
-    low_u8(area.wrapping_mul(255).wrapping_add(full >> 1) >> AREA_BITS)
+    level_of(area)
+}
+
+/// The level of an area of at most a pixel.
+#[inline(always)]
+pub(super) fn level_of(area: u32) -> u8 {
+    low_u8(area.wrapping_mul(255).wrapping_add(1 << (AREA_BITS - 1)) >> AREA_BITS)
+}
+
+/// A height of at most a pixel times twice a width of at most two, as an area.
+#[inline(always)]
+pub(super) fn rounded_area(height: u32, twice_width: u32) -> u32 {
+    // At most 2^31, as the factors are at most 2^15 and 2^16, and half a unit.
+    height.wrapping_mul(twice_width).wrapping_add(1 << (PRODUCT_BITS - 1)) >> PRODUCT_BITS
+}
+
+/// So much of a height as lies before a place: `along` of a width, rounded to the nearest step, halves upwards.
+#[inline]
+pub(super) fn ratio(along: u64, height: u32, width: u64) -> u32 {
+    short_ratio(along.wrapping_mul(height.into()).wrapping_add(width >> 1), width).0
 }
 
 /// Quotient and remainder of two numbers whose quotient is at most `2^15`, and the divisor below `2^48`.
