@@ -184,6 +184,21 @@ fn windows_tables_and_cells_change_nothing() {
     }
 }
 
+/// A side from far left that ends just beyond the last strip, which is narrower than the others; then a shape in its columns.
+#[test]
+fn strips_leave_nothing_behind() {
+    let window = Rect::new(0, 0, 40, 4);
+    for end in [10_241, 10_368, 10_495, 10_496, 10_600] {
+        let far = vec![(-17_920_000, -17_930_000), (end, 380), (-17_920_000, 380)];
+        let contours = [far, vec![(2_300, 512), (2_600, 512), (2_450, 1_000)]];
+        let whole = picture(&contours, RULES[0], window);
+        for cells in [0, 34, 35, 36, 40, 42] {
+            let got = covered(&contours, RULES[0], window, (6, cells)).expect("enough slots");
+            assert!(got.levels == whole.levels, "{cells} cells, {end}\n{}\n{}", got.picture(), whole.picture());
+        }
+    }
+}
+
 #[test]
 fn shapes_that_share_a_side_add_up() {
     let mut rng = Rng::new(1_420);

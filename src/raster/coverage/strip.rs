@@ -223,11 +223,11 @@ impl<'a> Strip<'a> {
                 self.put(column, at.wrapping_sub(done), enter.wrapping_add(PIXEL), winding);
                 (column, enter, done) = (column.wrapping_add(1), 0, at);
                 inset = inset.wrapping_sub(i64::from(PIXEL));
-                if inset <= i64::from(PIXEL) {
-                    break;
-                }
                 if column >= self.width {
                     return;
+                }
+                if inset <= i64::from(PIXEL) {
+                    break;
                 }
                 (at, rest) = (at.wrapping_add(each), rest.wrapping_add(more));
                 if rest >= width {
