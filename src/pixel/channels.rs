@@ -59,21 +59,50 @@ pub trait Channels: PixelColor {
     }
 }
 
-macro_rules! channels {
-    ($($color:ty),*: |$mix:ident, $colors:ident| $mixed:expr) => {
+/// [`Channels::between`] for three channels: red and blue in one word, as a channel times 255 has 16 bits.
+///
+/// `(n + 128) (2^8 + 1) / 2^16` is the nearest number to n / 255 for n up to `255^2`: J. F. Blinn, "Three wrongs make a right", IEEE
+/// Computer Graphics and Applications, 1995.
+#[inline(always)]
+fn three(ends: [[u8; 3]; 2], level: u8) -> [u8; 3] {
+    let (after, before) = (u32::from(level), u32::from(!level));
+    let mean = |[a, b]: [u32; 2], half: u32| {
+        let sum = a.wrapping_mul(before).wrapping_add(b.wrapping_mul(after)).wrapping_add(half);
+        sum.wrapping_add(sum >> 8 & 0x00ff_00ff) >> 8
+    };
+    let pair = mean(ends.map(|[red, _, blue]| u32::from(red) << 16 | u32::from(blue)), 0x0080_0080);
+    let green = mean(ends.map(|[_, green, _]| green.into()), 0x80);
+    [low_u8(pair >> 16), low_u8(green), low_u8(pair)]
+}
+
+macro_rules! rgb {
+    ($($color:ty),*) => {
         $(impl Channels for $color {
             #[inline(always)]
-            fn mixed<const N: usize>($colors: [Self; N], mut $mix: impl FnMut([u8; N]) -> u8) -> Self {
-                $mixed
+            fn mixed<const N: usize>(colors: [Self; N], mut mix: impl FnMut([u8; N]) -> u8) -> Self {
+                let [r, g, b] = [Self::r, Self::g, Self::b].map(|channel| mix(colors.each_ref().map(channel)));
+                Self::new(r, g, b)
+            }
+
+            #[inline(always)]
+            fn between(ends: [Self; 2], level: u8) -> Self {
+                let [r, g, b] = three(ends.map(|color| [color.r(), color.g(), color.b()]), level);
+                Self::new(r, g, b)
             }
         })*
     };
 }
 
-channels!(
-    Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888, Xrgb8888: |mix, colors| {
-        let [r, g, b] = [Self::r, Self::g, Self::b].map(|channel| mix(colors.each_ref().map(channel)));
-        Self::new(r, g, b)
-    }
-);
-channels!(Gray2, Gray4, Gray8: |mix, colors| Self::new(mix(colors.each_ref().map(Self::luma))));
+macro_rules! grey {
+    ($($color:ty),*) => {
+        $(impl Channels for $color {
+            #[inline(always)]
+            fn mixed<const N: usize>(colors: [Self; N], mut mix: impl FnMut([u8; N]) -> u8) -> Self {
+                Self::new(mix(colors.each_ref().map(Self::luma)))
+            }
+        })*
+    };
+}
+
+rgb!(Rgb332, Rgb444, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888, Xrgb8888);
+grey!(Gray2, Gray4, Gray8);
