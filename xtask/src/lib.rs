@@ -27,6 +27,7 @@ pub mod frames;
 pub mod plugin;
 pub mod proofs;
 pub mod readme;
+pub mod rims;
 pub mod scene;
 pub mod size;
 pub mod steps;

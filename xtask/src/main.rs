@@ -7,7 +7,7 @@ use pico_args::Arguments;
 use xtask::budget::{self, Columns};
 use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
-use xtask::{checks, cube, heading, readme, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
+use xtask::{checks, cube, heading, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -35,6 +35,8 @@ The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M
         run `table` and print it as Markdown: cycles, and instructions beside them
     ways [--target CHIP]... [--opt 3|s] [--cpu]
         run `ways`, which shades triangles as textbooks do and as this crate does, and print it as Markdown
+    rims [--target CHIP]... [--opt 3|s] [--cpu]
+        run `rims`, which draws shapes with soft rims and without, and print it as Markdown
     size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s] [--cpu]
@@ -75,6 +77,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("run") => run_program(args),
         Some("table") => print_tables(args),
         Some("ways") => print_ways(args),
+        Some("rims") => print_rims(args),
         Some("size") => print_sizes(args),
         Some("scene") => print_scene(args),
         Some("cube") => print_cube(args),
@@ -134,6 +137,15 @@ fn print_ways(mut args: Arguments) -> Result<()> {
     finish(args)?;
     for build in builds {
         println!("{}\n\n{}", heading(build)?, ways::markdown(&ways::measure(build)?));
+    }
+    Ok(())
+}
+
+fn print_rims(mut args: Arguments) -> Result<()> {
+    let builds = builds(&mut args)?;
+    finish(args)?;
+    for build in builds {
+        println!("{}: modelled cycles\n\n{}", heading(build)?, rims::markdown(&rims::measure(build)?));
     }
     Ok(())
 }
