@@ -168,9 +168,8 @@ pub(crate) fn fill_sides<const TRUE: bool>(
         return Ok(());
     }
     let mut fewest = [0; FEWEST];
-    let pixels = index(signed(window.width()));
-    let is_short = enough_for(cells.len()) < pixels.min(32);
-    let mut strip = Strip::new(if is_short { &mut fewest } else { cells }, pixels);
+    let is_short = enough_for(cells.len()) < index(signed(window.width())).min(32);
+    let cells = if is_short { &mut fewest } else { cells };
     // Places in the table are 16 bits; the last one means "none".
     let slots = table.len().min(usize::from(END));
     let Some(table) = table.get_mut(..slots) else { return Ok(()) };
@@ -185,7 +184,7 @@ pub(crate) fn fill_sides<const TRUE: bool>(
             is_cut.set(is_cut.get() | loader.is_cut);
             loader.loaded
         },
-        |table, loaded| scan::<TRUE>(table, loaded, rule, (window, is_cut.get()), &mut strip, &mut sink),
+        |table, loaded| scan::<TRUE>(table, loaded, rule, (window, is_cut.get()), cells, &mut sink),
     )
 }
 
@@ -279,7 +278,7 @@ fn scan<const TRUE: bool>(
     loaded: &Loaded,
     rule: FillRule,
     (window, is_cut): (Rect, bool),
-    strip: &mut Strip<'_>,
+    cells: &mut [i32],
     sink: &mut impl Sink,
 ) {
     let Some(table) = table.get(..loaded.count) else { return };
@@ -292,6 +291,8 @@ fn scan<const TRUE: bool>(
         (first, end) = (first.min(from), end.max(to));
     }
     let (first, width) = (unsigned(first.max(0)), unsigned(end).min(window.width()));
+    // Made when the first row comes that takes cells.
+    let (mut strip, mut cells) = (None, Some(cells));
     let (mut y, mut joins) = (loaded.first, loaded.first);
     while y < loaded.end {
         let passed = unsigned(y.wrapping_sub(loaded.first));
@@ -309,6 +310,8 @@ fn scan<const TRUE: bool>(
             }
         }
         let mut from = first;
+        let pixels = index(signed(width.saturating_sub(first)));
+        let strip = strip.get_or_insert_with(|| Strip::new(cells.take().unwrap_or_default(), pixels));
         while from < width && active.get() != END {
             from = strip.move_to(window.x0, from, width);
             cover(table, &active, y, strip, from >= width && !TRUE);

@@ -18,7 +18,7 @@ use super::{
     strip::{level_of, rounded_area, AREA_BITS, GRID_BITS},
 };
 use crate::{
-    num::cast::{low_u32, unsigned},
+    num::cast::{index, low_u32, signed, unsigned},
     span::{ClippedSpan, Rect, Sink},
 };
 
@@ -53,6 +53,24 @@ pub(super) fn rows(sides: [&CoverageSlot; 2], (mut y, end): (i32, i32), window: 
         side.set_state(state);
     }
     y
+}
+
+/// S of the first column of a side and of the next one, if it goes through no more. The same numbers as those of [`Rise`].
+#[inline(always)]
+fn one_or_two(from: u32, to: u32) -> Option<(u32, [u32; 2])> {
+    let (column, enter) = (from >> GRID_BITS, from & (PIXEL - 1));
+    let inset = to.wrapping_sub(column << GRID_BITS);
+    #[cfg(test)]
+    crate::num::tally::add(crate::num::tally::Work::Step);
+    if inset <= PIXEL {
+        let area = (2 * PIXEL).wrapping_sub(enter).wrapping_sub(inset) << (AREA_BITS - GRID_BITS - 1);
+        return Some((column, [area, FULL]));
+    }
+    let width = NonZeroU32::new(to.wrapping_sub(from)).filter(|_| inset <= 2 * PIXEL)?;
+    let ahead = PIXEL.wrapping_sub(enter);
+    let part = (ahead << GRID_BITS).wrapping_add(width.get() >> 1) / width;
+    let rest = rounded_area(PIXEL.wrapping_sub(part), (3 * PIXEL).wrapping_sub(inset));
+    Some((column, [rounded_area(part, ahead), (part << (AREA_BITS - GRID_BITS)).wrapping_add(rest)]))
 }
 
 /// What a side covers of one pixel after the other, of those that it goes through. It has the height of a pixel.
@@ -95,12 +113,6 @@ impl Rise {
     #[inline(always)]
     fn last(&self) -> u32 {
         self.column.wrapping_add(self.inset.saturating_sub(1) >> GRID_BITS)
-    }
-
-    /// What is left of it in its column, as a level.
-    #[inline(always)]
-    fn level_before(&self) -> u8 {
-        level_of(FULL.wrapping_sub(self.sum))
     }
 
     /// Moves on to the next column. Beyond the last one all is full.
@@ -146,33 +158,20 @@ impl<S: Sink> Levels<'_, S> {
         let inside = |(from, to): (i32, i32)| if to <= 0 { (0, 0) } else { (unsigned(from), unsigned(to)) };
         let [left, right] = [left, right].map(inside);
         // Where a side right of the window is does not matter.
-        let (first, mut next) = (left.0 >> GRID_BITS, (right.0 >> GRID_BITS).min(self.width));
+        let (first, next) = (left.0 >> GRID_BITS, (right.0 >> GRID_BITS).min(self.width));
         if first >= self.width || right.1 == 0 {
             return;
         }
-        let mut full = first;
-        if left.1 > 0 {
-            // On the border of two columns a vertical side belongs to the one on its right.
-            let last = (left.1.wrapping_sub(1) >> GRID_BITS).max(first);
-            if last >= next && next < self.width {
-                return self.both(Rise::new(left.0, left.1), Rise::new(right.0, right.1));
-            }
-            full = self.left_rim(Rise::new(left.0, left.1));
+        // On the border of two columns a vertical side belongs to the one on its right.
+        let last = (left.1.saturating_sub(1) >> GRID_BITS).max(first);
+        if left.1 > 0 && last >= next && next < self.width {
+            return self.both(Rise::new(left.0, left.1), Rise::new(right.0, right.1));
         }
-        let right = (next < self.width).then(|| {
-            let mut side = Rise::new(right.0, right.1);
-            let end = side.last().wrapping_add(1).min(self.width);
-            while next < end && side.level_before() == u8::MAX {
-                next = next.wrapping_add(1);
-                side.step();
-            }
-            (side, end)
-        });
-        if full < next {
-            self.sink.span(ClippedSpan::inside(self.y, self.x(full), self.x(next)));
-        }
-        if let Some((side, end)) = right {
-            self.right_rim(side, end);
+        let full = if left.1 > 0 { self.left_rim(left.0, left.1) } else { first };
+        if next < self.width {
+            self.right_rim(full, right.0, right.1);
+        } else {
+            self.full(full, self.width);
         }
     }
 
@@ -181,9 +180,48 @@ impl<S: Sink> Levels<'_, S> {
         self.x0.wrapping_add_unsigned(column)
     }
 
+    #[inline(always)]
+    fn full(&mut self, start: u32, end: u32) {
+        if start < end {
+            self.sink.span(ClippedSpan::inside(self.y, self.x(start), self.x(end)));
+        }
+    }
+
+    /// One or two pixels, from `column` on: those from `start` up to `end`.
+    #[inline(always)]
+    fn short(&mut self, column: u32, levels: [u8; 2], (start, end): (u32, u32)) {
+        let [from, to] = [start, end].map(|x| index(signed(x.wrapping_sub(column))));
+        if let Some(levels) = levels.get(from..to).filter(|levels| !levels.is_empty()) {
+            self.sink.coverage(ClippedSpan::inside(self.y, self.x(start), self.x(end)), levels);
+        }
+    }
+
     /// The pixels that the left side goes through. Returns where those begin that are full.
+    #[inline(always)]
+    fn left_rim(&mut self, from: u32, to: u32) -> u32 {
+        let Some((column, areas)) = one_or_two(from, to) else { return self.long_left_rim(Rise::new(from, to)) };
+        let levels = areas.map(level_of);
+        let is = |i: usize, level: u8| u32::from(levels.get(i) == Some(&level));
+        let start = column.wrapping_add(is(0, 0));
+        let end = column.wrapping_add(2).wrapping_sub(is(0, u8::MAX)).wrapping_sub(is(1, u8::MAX)).min(self.width);
+        self.short(column, levels, (start, end));
+        end
+    }
+
+    /// The pixels from `full` on that are so, and those that the right side goes through.
+    #[inline(always)]
+    fn right_rim(&mut self, full: u32, from: u32, to: u32) {
+        let Some((column, areas)) = one_or_two(from, to) else { return self.long_right_rim(full, Rise::new(from, to)) };
+        let levels = areas.map(|area| level_of(FULL.wrapping_sub(area)));
+        let is = |i: usize, level: u8| u32::from(levels.get(i) == Some(&level));
+        let start = column.wrapping_add(is(0, u8::MAX)).wrapping_add(is(1, u8::MAX)).min(self.width);
+        let end = column.wrapping_add(2).wrapping_sub(is(0, 0)).wrapping_sub(is(1, 0)).min(self.width);
+        self.full(full, start);
+        self.short(column, levels, (start, end));
+    }
+
     #[inline(never)]
-    fn left_rim(&mut self, mut side: Rise) -> u32 {
+    fn long_left_rim(&mut self, mut side: Rise) -> u32 {
         let mut end = side.last().wrapping_add(1).min(self.width);
         let mut len = 0;
         loop {
@@ -201,12 +239,17 @@ impl<S: Sink> Levels<'_, S> {
         end
     }
 
-    /// The pixels that the right side goes through, from where it stands up to `end`.
     #[inline(never)]
-    fn right_rim(&mut self, mut side: Rise, end: u32) {
+    fn long_right_rim(&mut self, full: u32, mut side: Rise) {
+        let end = side.last().wrapping_add(1).min(self.width);
+        let before = |side: &Rise| level_of(FULL.wrapping_sub(side.sum));
+        while side.column < end && before(&side) == u8::MAX {
+            side.step();
+        }
+        self.full(full, side.column);
         let mut len = 0;
         while side.column < end {
-            len = self.put(side.column, len, side.level_before());
+            len = self.put(side.column, len, before(&side));
             side.step();
         }
         self.tell(end, len);

@@ -8,7 +8,8 @@
 //! nearest to its true place. One row down adds `256 G dx / dy`. Both are kept with their remainders, so nothing drifts, and it
 //! does not matter on which row the side entered the window.
 //!
-//! A side whose places do not fit 32 bits is *far*: each of them is computed by itself, in 64 bits.
+//! A side whose places do not fit 32 bits is *far*: each of them is computed by itself, in 64 bits. In builds for size all sides are,
+//! as one way is shorter than two. The places are the same.
 
 use core::{cell::Cell, num::NonZeroU32};
 
@@ -20,6 +21,7 @@ use crate::{
         stepper::Stepper,
     },
     span::Rect,
+    tune::COMPACT,
 };
 
 /// G is `2^7`: steps of the grid in a unit of 1/256 pixel.
@@ -87,7 +89,7 @@ impl CoverageSlot {
         let (x, end_x) = (saturate(from), saturate(to));
         let fits = i64::from(x) == from && i64::from(end_x) == to && a.0.abs_diff(b.0) < 1 << 24;
         self.is_far = !is_left && !fits;
-        if self.is_far {
+        if self.is_far() {
             (self.x, self.end_x) = (Cell::new(a.0), b.0);
             return;
         }
@@ -111,6 +113,11 @@ impl CoverageSlot {
         self.crossing.set(crossing);
     }
 
+    #[inline(always)]
+    fn is_far(&self) -> bool {
+        COMPACT || self.is_far
+    }
+
     /// The first row that it meets.
     #[inline(always)]
     pub(super) fn first_row(&self) -> i32 {
@@ -121,7 +128,7 @@ impl CoverageSlot {
     pub(super) fn columns(&self, window: Rect) -> (i32, i32) {
         let (a, b) = (self.x.get(), self.end_x);
         let column = |x: i32| {
-            if self.is_far {
+            if self.is_far() {
                 saturate(i64::from(x >> 8).wrapping_sub(window.x0.into()))
             } else {
                 x >> GRID_BITS
@@ -139,7 +146,7 @@ impl CoverageSlot {
     /// Whether it goes through row y from border to border, and on, in steps.
     #[inline(always)]
     pub(super) fn passes(&self, y: i32) -> bool {
-        !self.is_far && self.top <= y << 8 && y < self.last_row()
+        !self.is_far() && self.top <= y << 8 && y < self.last_row()
     }
 
     /// Where it enters its row, and where it leaves it, as long as it goes on below.
@@ -171,7 +178,7 @@ impl CoverageSlot {
 
     /// Where it goes through row y, along the row from the left side of the window, which is `window` steps from column 0.
     pub(super) fn across(&self, y: i32, window: i64) -> Across {
-        let (x, next) = if self.is_far {
+        let (x, next) = if self.is_far() {
             let [x, next] = self.far_ends(y);
             (x.wrapping_sub(window), next.wrapping_sub(window))
         } else {
@@ -186,7 +193,7 @@ impl CoverageSlot {
 
     /// Steps down from row y.
     pub(super) fn step(&self, y: i32) {
-        if !self.is_far {
+        if !self.is_far() {
             let mut crossing = self.crossing.get();
             self.x.set(if y == self.last_row() { self.end_x } else { crossing.value });
             crossing.step();
@@ -200,7 +207,7 @@ impl CoverageSlot {
         let ends = y == self.last_row();
         let (above, below) = self.heights(y);
         let height = below.wrapping_sub(above) << UNIT_BITS;
-        if self.is_far {
+        if self.is_far() {
             return self.cover_far(y, height, strip);
         }
         let (x, mut crossing) = (self.x.get(), self.crossing.get());
