@@ -459,6 +459,8 @@ fn rows_read_out_are_their_pixels<F: PixelFormat>() {
         assert_eq!(frame.row_bytes(first..end), rows, "rows {first}..{end} of {}", size.1);
 
         let p = Point::new(rng.int(-2, 31), rng.int(-2, 9));
+        assert_eq!(frame.place_of(p), twin.get(p.x, p.y).map(|_| (p.x as usize, p.y as usize)), "where {p} lies");
+        assert_eq!(frame.memory(), memory, "all of it");
         let bitmap = kind.open(&twin, &mut twin.bytes.clone()).as_bitmap(p);
         assert_eq!(bitmap, (twin.get(p.x, p.y), frame.window(), frame.size()), "as a bitmap, {p}");
     }

@@ -26,6 +26,8 @@ calls! {
     get => on.get(a.points[0]) == Some(c);
     size => on.size();
     stride => on.stride();
+    memory => on.memory().len();
+    place_of => on.place_of(a.points[0]);
     window => on.window();
     as_mut => on.as_mut().window();
     clear => on.clear(c);

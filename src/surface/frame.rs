@@ -139,6 +139,12 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
         (self.memory.as_ref(), self.grid)
     }
 
+    /// All of its memory: for what sends pixels to a display as they lie. Where one lies, [`place_of`](Self::place_of) and the layout tell.
+    #[inline]
+    pub fn memory(&self) -> &[u8] {
+        self.memory.as_ref()
+    }
+
     /// The bytes of a range of pages of `page` rows each. Rows are pages of one row.
     pub(super) fn run_of_bytes(&self, range: Range<u16>, page: u16) -> &[u8] {
         let row = |n: u16| i32::from(n).wrapping_mul(page.into());
@@ -167,6 +173,22 @@ impl<M, L> Frame<M, L> {
     #[inline]
     pub const fn window(&self) -> Rect {
         self.window
+    }
+
+    /// Column and row in memory of a pixel, counted from 0; `None` if it lies outside. In bands and views they are not its coordinates.
+    /// ```
+    /// use embedded_raster::{Framebuffer, Index4};
+    /// let mut ram = [0; 160 * 16];
+    /// let mut band = Framebuffer::<Index4>::band(&mut ram, 320, 240, 64..80)?;
+    /// assert_eq!(band.place_of((5, 66)), Some((5, 2)));
+    /// assert_eq!(band.view(embedded_raster::Rect::new(4, 65, 9, 70)).place_of((1, 1)), Some((5, 2)));
+    /// assert_eq!(band.place_of((5, 80)), None);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[inline]
+    pub fn place_of(&self, p: impl Into<Point>) -> Option<Place> {
+        let p = p.into();
+        self.window.contains(p.x, p.y).then(|| self.place(p.x, p.y))
     }
 
     /// Column and row in memory of a pixel that lies in the window.
