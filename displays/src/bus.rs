@@ -111,6 +111,19 @@ impl<D: embedded_hal_async::spi::SpiDevice, P: OutputPin> Spi<D, P> {
 
 /// A display on a bus of two wires, as most small OLEDs are. Each part of a transfer begins with a control byte: 0x00 before commands, 0x40
 /// before data.
+/// ```
+/// use embedded_graphics_core::pixelcolor::BinaryColor;
+/// use embedded_raster::surface::Paged;
+/// use embedded_raster_displays::{I2c, Oled};
+/// # use embedded_hal::i2c;
+/// fn show<B: i2c::I2c>(bus: B, frame: &Paged<BinaryColor>) -> Result<(), Box<dyn core::error::Error>>
+/// # where B::Error: 'static
+/// {
+///     let mut i2c = I2c::new(bus, 0x3c);
+///     i2c.send(Oled::SSD1306.frame(frame, [frame.window()])?)?;
+///     Ok(())
+/// }
+/// ```
 #[derive(Debug)]
 pub struct I2c<B> {
     bus: B,

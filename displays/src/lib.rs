@@ -33,7 +33,7 @@
 //!
 //! /// Through `display-interface`, as ssd1306 0.9 has it.
 //! fn send_pages<DI: display_interface::WriteOnlyDataCommand>(
-//!     mut transfers: impl Transfers,
+//!     transfers: impl Transfers,
 //!     di: &mut DI,
 //! ) -> Result<(), display_interface::DisplayError> {
 //!     use display_interface::DataFormat::U8;

@@ -22,7 +22,7 @@ use embedded_raster::{
 use crate::{
     error::Error,
     pieces::{distance, index},
-    transfer::{Transfer, Transfers},
+    transfer::{Once, Transfer, Transfers},
 };
 
 const UPDATE: u8 = 0x80;
@@ -94,31 +94,16 @@ where
 /// assert_eq!(memory_lcd::clear(true).next().map(|transfer| transfer.data.to_vec()), Some(vec![0x60, 0]));
 /// ```
 pub fn clear(vcom: bool) -> impl Transfers {
-    Short { packet: [mode(CLEAR, vcom), 0], is_sent: false }
+    Once::new([], [mode(CLEAR, vcom), 0])
 }
 
 /// Sends VCOM and no pixels: while nothing changes.
 pub fn hold(vcom: bool) -> impl Transfers {
-    Short { packet: [mode(0, vcom), 0], is_sent: false }
+    Once::new([], [mode(0, vcom), 0])
 }
 
 fn mode(bits: u8, vcom: bool) -> u8 {
     bits | if vcom { VCOM } else { 0 }
-}
-
-/// A packet without lines.
-struct Short {
-    packet: [u8; 2],
-    is_sent: bool,
-}
-
-impl Transfers for Short {
-    fn next(&mut self) -> Option<Transfer<'_>> {
-        if core::mem::replace(&mut self.is_sent, true) {
-            return None;
-        }
-        Some(Transfer { command: &[], data: &self.packet })
-    }
 }
 
 /// The packets of some areas.

@@ -10,6 +10,8 @@
 //! SSD1306 moves from page to page by itself in its horizontal addressing mode, 0x20 0x00, which its drivers choose. SH1106 has
 //! pages only, and 132 columns; most panels begin at the third.
 //!
+//! The driver crate `sh1106` takes parts of a page through its SPI interface; its I2C interface takes whole lines of 128 bytes only.
+//!
 //! Sources: Solomon Systech, "SSD1306", rev. 1.1; Sino Wealth, "SH1106", V2.3.
 
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -22,7 +24,7 @@ use embedded_raster::{
 use crate::{
     error::Error,
     pieces::{distance, index},
-    transfer::{Transfer, Transfers},
+    transfer::{Once, Transfer, Transfers},
 };
 
 /// How an area is addressed.
@@ -121,22 +123,7 @@ impl Oled {
     /// ```
     pub fn orientation(self, is_upside_down: bool, is_mirrored: bool) -> impl Transfers {
         let command = [0xa0 | u8::from(is_upside_down == is_mirrored), 0xc0 | u8::from(!is_upside_down) << 3];
-        Orders { command, is_sent: false }
-    }
-}
-
-/// Two commands without data.
-struct Orders {
-    command: [u8; 2],
-    is_sent: bool,
-}
-
-impl Transfers for Orders {
-    fn next(&mut self) -> Option<Transfer<'_>> {
-        if core::mem::replace(&mut self.is_sent, true) {
-            return None;
-        }
-        Some(Transfer { command: &self.command, data: &[] })
+        Once::new(command, [])
     }
 }
 

@@ -8,7 +8,7 @@
 //! | a part of them | any rows | [`part`] for `update_partial_frame` |
 //!
 //! So a frame has the bytes that drivers ask for, and is handed to them. Without a driver, transfers of this module send them:
-//! [`whole`] and [`planes`] after any command, and [`Ssd16xx`] only what is damaged, on controllers whose memory has windows.
+//! [`whole`] and [`planes`] after any command; [`Ssd16xx`] and [`Uc8176`] only what is damaged, as their memory has windows.
 //!
 //! Nothing is seen before the controller is told to refresh; that, its waveforms and its busy line are the driver's business.
 
@@ -22,7 +22,7 @@ use crate::{
     error::Error,
     pieces::{index, Lying, Pieces},
     transfer::{Transfer, Transfers},
-    windows::{number, Say, Windows},
+    windows::{ends, number, Say, Windows},
 };
 
 /// Neither bit.
@@ -65,7 +65,7 @@ where
     M: AsRef<[u8]>,
     F: PixelFormat,
 {
-    Ok(Windows::new([frame.window()], Lying::new(frame, F::BITS as usize)?, move |_, _| Say::Pixels(command)))
+    Ok(Windows::new([frame.window()], Lying::new(frame, F::BITS as usize)?, only(command)))
 }
 
 /// Both planes of a frame, each after its command: `[&[0x10], &[0x13]]` of UC8151 and its kin, `[&[0x24], &[0x26]]` of SSD16xx.
@@ -82,7 +82,7 @@ where
 {
     let plane = |number: usize, command: &'static [u8]| -> Result<_, Error> {
         let lying = Lying::new(frame, 1)?.in_memory(frame.plane_bytes(number));
-        Ok(Windows::new([frame.window()], lying, move |_, _| Say::Pixels(command)))
+        Ok(Windows::new([frame.window()], lying, only(command)))
     };
     Ok(Both(plane(0, commands[0])?, plane(1, commands[1])?))
 }
@@ -135,9 +135,9 @@ pub struct Ssd16xx;
 /// Memory of a controller.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Ram {
-    /// 0x24: black and white.
+    /// Black and white: what is to be seen.
     First,
-    /// 0x26: red, or the picture before this one, which fast refreshes compare with.
+    /// Red, or the picture before this one, which fast refreshes compare with.
     Second,
 }
 
@@ -206,20 +206,87 @@ impl Ssd16xx {
     }
 }
 
-/// The commands for a window.
+/// No window, and a command before the pixels.
+fn only(command: &'static [u8]) -> impl Fn(usize, Rect) -> Say {
+    move |step, _| if step == 0 { Say::Pixels(command) } else { Say::End }
+}
+
+/// The commands for a window of SSD16xx.
 fn say(ram: Ram) -> impl Fn(usize, Rect) -> Say {
-    let low = |n: u16| n.to_le_bytes()[0];
+    let byte = |x: i32| number(x / 8).to_le_bytes()[0];
     move |step, area| {
-        let bytes = |x: i32| low(number(x / 8));
         let last = |n: i32| n.saturating_sub(1);
         let ([top, above], [bottom, below]) = (number(area.y0).to_le_bytes(), number(last(area.y1)).to_le_bytes());
         match step {
-            0 => Say::Command(&[0x44], [bytes(area.x0), bytes(last(area.x1)), 0, 0], 2),
-            1 => Say::Command(&[0x45], [top, above, bottom, below], 4),
-            2 => Say::Command(&[0x4e], [bytes(area.x0), 0, 0, 0], 1),
-            3 => Say::Command(&[0x4f], [top, above, 0, 0], 2),
-            _ => Say::Pixels(ram.command()),
+            0 => Say::command(&[0x44], [byte(area.x0), byte(last(area.x1))]),
+            1 => Say::command(&[0x45], [top, above, bottom, below]),
+            2 => Say::command(&[0x4e], [byte(area.x0)]),
+            3 => Say::command(&[0x4f], [top, above]),
+            4 => Say::Pixels(ram.command()),
+            _ => Say::End,
         }
+    }
+}
+
+/// Controllers of UltraChip whose memory has windows with columns of 16 bits: UC8176, UC8179, IL0398, of panels from 4.2 inches on.
+///
+/// ```text
+///   0x91  a window from here on
+///   0x90  first and last column, first and last row, 16 bits each, the high byte first; and 1: gates are scanned outside of it as well
+///   0x13  pixels, 1 is white; 0x10 of the second memory, the picture before this one
+///   0x92  no window any more
+/// ```
+/// Damage grows to whole bytes.
+///
+/// Source: UltraChip, "UC8176c", rev. 0.6.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Uc8176;
+
+impl Uc8176 {
+    /// Sends areas of a frame, as its bytes lie in memory: `[frame.window()]` is all of it. What lies outside is left out.
+    ///
+    /// ```
+    /// use embedded_raster::{Bitmap, Index1, Rect};
+    /// use embedded_raster_displays::{paper::{Ram, Uc8176}, Transfers};
+    /// let picture = Bitmap::<Index1>::new(&[1, 2, 3, 4, 5, 6], 24, 2)?;
+    /// let mut sent = vec![];
+    /// Uc8176.frame(&picture, [Rect::new(9, 1, 12, 2)], Ram::First)?.send(|transfer| {
+    ///     sent.push((transfer.command[0], transfer.data.to_vec()));
+    ///     Ok::<(), core::convert::Infallible>(())
+    /// })?;
+    /// assert_eq!(sent[..2], [(0x91, vec![]), (0x90, vec![0, 8, 0, 15, 0, 1, 0, 1, 1])]);
+    /// assert_eq!(sent[2..], [(0x13, vec![5]), (0x92, vec![])]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    /// # Errors
+    /// [`Error::Misaligned`] of a view that begins inside of a byte.
+    pub fn frame<M, F, I>(
+        self,
+        frame: &Frame<M, Rows<F>>,
+        areas: I,
+        ram: Ram,
+    ) -> Result<impl Transfers + use<'_, M, F, I>, Error>
+    where
+        M: AsRef<[u8]>,
+        F: PixelFormat,
+        I: IntoIterator<Item = Rect>,
+    {
+        const { assert!(F::BITS == 1, "pixels of one bit") };
+        let pixels: &[u8] = match ram {
+            Ram::First => &[0x13],
+            Ram::Second => &[0x10],
+        };
+        let say = move |step, area: Rect| {
+            let (x, y) = (ends(area.x0, area.x1, 0), ends(area.y0, area.y1, 0));
+            match step {
+                0 => Say::command(&[0x91], []),
+                1 => Say::command(&[0x90], [x[0], x[1], x[2], x[3] | 7, y[0], y[1], y[2], y[3], 1]),
+                2 => Say::Pixels(pixels),
+                3 => Say::command(&[0x92], []),
+                _ => Say::End,
+            }
+        };
+        Ok(Windows::new(areas, Lying::new(frame, 1)?, say))
     }
 }
 

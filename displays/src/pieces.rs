@@ -264,6 +264,19 @@ impl<L: Layout, F: FnMut(i32, Range<i32>, &mut [u8])> Pieces for Lines<'_, L, F>
     }
 }
 
+/// Copies pixels of whole bytes as they lie.
+pub(crate) fn copied<M: AsRef<[u8]>, L: Layout>(
+    frame: &Frame<M, L>,
+    bytes: usize,
+) -> impl FnMut(i32, Range<i32>, &mut [u8]) + use<'_, M, L> {
+    move |y, x, out| {
+        let Some((column, row)) = frame.place_of((x.start, y)) else { return };
+        let start = row.wrapping_mul(frame.stride()).wrapping_add(column.wrapping_mul(bytes));
+        let pixels = frame.memory().get(start..start.wrapping_add(out.len())).unwrap_or_default();
+        out.iter_mut().zip(pixels).for_each(|(place, &byte)| *place = byte);
+    }
+}
+
 /// Writes pixels through a palette.
 pub(crate) fn through<'a, M: AsRef<[u8]>, I: PixelFormat, O: PixelFormat, const N: usize>(
     frame: &'a Frame<M, Rows<I>>,

@@ -8,7 +8,20 @@
 //! A window is sent for each damaged rectangle, or for a band, or for the whole frame; then its pixels follow as they lie in memory, if the
 //! frame has the format of the display, or through a palette. The controller is set up by somebody else, the crate `mipidsi` for example:
 //! initialise it there, [`release`](https://docs.rs/mipidsi/latest/mipidsi/struct.Display.html#method.release) the bus, and send frames
-//! from here; or lend its interface to a closure for each frame.
+//! from here; or lend its interface to a closure for each frame. One of 16 wires takes words:
+//! ```
+//! use embedded_raster_displays::{Transfer, Transfers};
+//! use mipidsi::interface::Interface;
+//! fn send<DI: Interface<Word = u16>>(transfers: impl Transfers, di: &mut DI) -> Result<(), DI::Error> {
+//!     transfers.send(|Transfer { command, data }| match command {
+//!         [0x2c] | [] => {
+//!             command.iter().try_for_each(|&command| di.send_command(command, &[]))?;
+//!             di.send_pixels(data.chunks_exact(2).map(|pixel| [u16::from_be_bytes([pixel[0], pixel[1]])]))
+//!         }
+//!         [command, ..] => di.send_command(*command, data),
+//!     })
+//! }
+//! ```
 //!
 //! Source: "MIPI Alliance Specification for Display Command Set", as the datasheets of ST7789V and ILI9341 repeat it.
 
@@ -23,15 +36,15 @@ use embedded_raster::{
 
 use crate::{
     error::Error,
-    pieces::{converted, through, Lines, Lying, Nothing},
-    transfer::Transfers,
-    windows::{ends, Once, Say, Windows},
+    pieces::{converted, copied, index, through, Lines, Lying, Nothing},
+    transfer::{Once, Transfers},
+    windows::{ends, Say, Windows},
 };
 
 const CASET: &[u8] = &[0x2a];
 const RASET: &[u8] = &[0x2b];
 const RAMWR: &[u8] = &[0x2c];
-const MADCTL: &[u8] = &[0x36];
+const MADCTL: [u8; 1] = [0x36];
 
 /// RGB666 as displays are sent it: a byte for each channel, red first, with six bits at its top. A format like others: frames can have it.
 ///
@@ -211,9 +224,10 @@ impl<L: Layout> Tft<L> {
     fn say(self) -> impl Fn(usize, Rect) -> Say + use<L> {
         let Self { columns, rows, .. } = self;
         move |number, area| match number {
-            0 => Say::Command(CASET, ends(area.x0, area.x1, columns), 4),
-            1 => Say::Command(RASET, ends(area.y0, area.y1, rows), 4),
-            _ => Say::Pixels(RAMWR),
+            0 => Say::command(CASET, ends(area.x0, area.x1, columns)),
+            1 => Say::command(RASET, ends(area.y0, area.y1, rows)),
+            2 => Say::Pixels(RAMWR),
+            _ => Say::End,
         }
     }
 }
@@ -248,6 +262,28 @@ impl<F: PixelFormat> Tft<Rows<F>> {
         I: IntoIterator<Item = Rect>,
     {
         Windows::new(areas, Self::lying(frame), self.say())
+    }
+
+    /// The same by way of a line: rows of small areas are sent many at a time, and DMA that cannot reach the memory of the frame, an
+    /// external one or one of the core's own, reads the line.
+    ///
+    /// * `line`: memory that pixels are copied to. If it holds some rows of an area, so many are sent at once.
+    ///
+    /// # Errors
+    /// [`Error::LineTooShort`] if not one pixel fits into the line.
+    pub fn copied<'a, M, I>(
+        self,
+        frame: &'a Frame<M, Rows<F>>,
+        areas: I,
+        line: &'a mut [u8],
+    ) -> Result<impl Transfers + use<'a, F, M, I>, Error>
+    where
+        M: AsRef<[u8]>,
+        I: IntoIterator<Item = Rect>,
+    {
+        const { assert!(F::BITS.is_multiple_of(8), "pixels of whole bytes") };
+        let lines = Lines::<Rows<F>, _>::new(frame.window(), line, copied(frame, (F::BITS / 8) as usize))?;
+        Ok(Windows::new(areas, lines, self.say()))
     }
 
     /// Sends the pixels of a frame or a band without a [`window`](Self::window), for the rows that follow those before.
@@ -335,5 +371,16 @@ impl Tft<Packed12> {
         I: IntoIterator<Item = Rect>,
     {
         Ok(Windows::new(areas, Lying::new(frame, 12)?, self.say()))
+    }
+
+    /// Sends the pixels of a frame or a band without a [`window`](Self::window), for the rows that follow those before.
+    ///
+    /// # Errors
+    /// [`Error::Misaligned`] of a view that begins in an odd column, or if the last column of the frame is not the right one of a pair:
+    /// rows would not follow each other.
+    pub fn pixels<M: AsRef<[u8]>>(self, frame: &Frame<M, Packed12>) -> Result<impl Transfers + use<'_, M>, Error> {
+        let (lying, window) = (Lying::new(frame, 12)?, frame.window());
+        Error::check_aligned(index(window.x1.saturating_sub(window.x0)), 2)?;
+        Ok(Windows::new([], lying.of(window), self.say()))
     }
 }

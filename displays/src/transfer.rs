@@ -84,3 +84,25 @@ impl<T: Transfers> Transfers for &mut T {
         T::next(self)
     }
 }
+
+/// A single transfer of a few bytes.
+pub(crate) struct Once<const C: usize, const D: usize> {
+    command: [u8; C],
+    data: [u8; D],
+    is_sent: bool,
+}
+
+impl<const C: usize, const D: usize> Once<C, D> {
+    pub(crate) const fn new(command: [u8; C], data: [u8; D]) -> Self {
+        Self { command, data, is_sent: false }
+    }
+}
+
+impl<const C: usize, const D: usize> Transfers for Once<C, D> {
+    fn next(&mut self) -> Option<Transfer<'_>> {
+        if core::mem::replace(&mut self.is_sent, true) {
+            return None;
+        }
+        Some(Transfer { command: &self.command, data: &self.data })
+    }
+}

@@ -10,9 +10,24 @@ use crate::{
 /// What a controller is told.
 pub(crate) enum Say {
     /// A command, and so many bytes of parameters.
-    Command(&'static [u8], [u8; 4], usize),
-    /// The command that pixels follow: the last one of a window.
+    Command(&'static [u8], [u8; PARAMETERS], usize),
+    /// The command that pixels follow.
     Pixels(&'static [u8]),
+    /// Nothing more for this window.
+    End,
+}
+
+/// The most bytes that a command has.
+pub(crate) const PARAMETERS: usize = 9;
+
+impl Say {
+    /// A command with all of its parameters.
+    pub(crate) fn command<const N: usize>(command: &'static [u8], parameters: [u8; N]) -> Self {
+        const { assert!(N <= PARAMETERS, "room for all of them") };
+        let mut all = [0; PARAMETERS];
+        all.iter_mut().zip(parameters).for_each(|(place, byte)| *place = byte);
+        Self::Command(command, all, N)
+    }
 }
 
 /// The transfers of some areas. `say` gives the commands for a window by their number.
@@ -23,18 +38,22 @@ pub(crate) struct Windows<I, P, S> {
     /// The window that is sent, and the rows of its area that come in further ones.
     window: Rect,
     rest: Rect,
-    /// The number of the next command; `None` while pixels follow.
+    /// The number of the next command; `None` between windows.
     command: Option<usize>,
-    parameters: [u8; 4],
+    /// Whether it is the pixels' turn.
+    is_open: bool,
+    parameters: [u8; PARAMETERS],
 }
 
 impl<I: Iterator<Item = Rect>, P: Pieces, S: Fn(usize, Rect) -> Say> Windows<I, P, S> {
     pub(crate) fn new(areas: impl IntoIterator<IntoIter = I>, pieces: P, say: S) -> Self {
-        let areas = areas.into_iter();
-        Self { areas, pieces, say, window: Rect::default(), rest: Rect::default(), command: None, parameters: [0; 4] }
+        let (areas, window, rest) = (areas.into_iter(), Rect::default(), Rect::default());
+        // What has been started is sent without a window.
+        let is_open = !pieces.is_done();
+        Self { areas, pieces, say, window, rest, command: None, is_open, parameters: [0; PARAMETERS] }
     }
 
-    /// Begins with the next window. `None` after the last.
+    /// Begins with the next window, with its first command. `None` after the last.
     fn open(&mut self) -> Option<usize> {
         while self.rest.is_empty() {
             self.rest = self.pieces.cover(self.areas.next()?);
@@ -49,42 +68,25 @@ impl<I: Iterator<Item = Rect>, P: Pieces, S: Fn(usize, Rect) -> Say> Windows<I, 
 
 impl<I: Iterator<Item = Rect>, P: Pieces, S: Fn(usize, Rect) -> Say> Transfers for Windows<I, P, S> {
     fn next(&mut self) -> Option<Transfer<'_>> {
-        if self.command.is_none() && !self.pieces.is_done() {
+        if self.is_open && !self.pieces.is_done() {
             return Some(Transfer { command: &[], data: self.pieces.next() });
         }
-        let number = self.command.or_else(|| self.open())?;
-        match (self.say)(number, self.window) {
-            Say::Command(command, parameters, count) => {
-                (self.command, self.parameters) = (Some(number.saturating_add(1)), parameters);
-                Some(Transfer { command, data: self.parameters.get(..count).unwrap_or_default() })
-            }
-            Say::Pixels(command) => {
-                self.command = None;
-                Some(Transfer { command, data: self.pieces.next() })
+        self.is_open = false;
+        loop {
+            let number = self.command.or_else(|| self.open())?;
+            let next = Some(number.saturating_add(1));
+            match (self.say)(number, self.window) {
+                Say::Command(command, parameters, count) => {
+                    (self.command, self.parameters) = (next, parameters);
+                    return Some(Transfer { command, data: self.parameters.get(..count).unwrap_or_default() });
+                }
+                Say::Pixels(command) => {
+                    (self.command, self.is_open) = (next, true);
+                    return Some(Transfer { command, data: self.pieces.next() });
+                }
+                Say::End => self.command = None,
             }
         }
-    }
-}
-
-/// A single command.
-pub(crate) struct Once<const N: usize> {
-    pub(crate) command: &'static [u8],
-    pub(crate) parameters: [u8; N],
-    pub(crate) is_sent: bool,
-}
-
-impl<const N: usize> Once<N> {
-    pub(crate) const fn new(command: &'static [u8], parameters: [u8; N]) -> Self {
-        Self { command, parameters, is_sent: false }
-    }
-}
-
-impl<const N: usize> Transfers for Once<N> {
-    fn next(&mut self) -> Option<Transfer<'_>> {
-        if core::mem::replace(&mut self.is_sent, true) {
-            return None;
-        }
-        Some(Transfer { command: self.command, data: &self.parameters })
     }
 }
 

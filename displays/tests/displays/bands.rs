@@ -142,7 +142,8 @@ fn bands_of_pairs_and_pages_are_the_whole() {
     let memory = whole::<Packed12>(colors);
     let frame = Frame::<_, Packed12>::new(&memory[..], SIZE.0, SIZE.1).expect("the right size");
     spi.send(Tft444::new().frame(&frame, [frame.window()]).expect("aligned")).expect("it works");
-    let wanted = mipi(&wire.take(), 12);
+    let bytes = wire.take();
+    let wanted = mipi(&bytes, 12);
     let mut memory = [0; 75 * 39];
     for rows in [1, 6, 39] {
         for_each_band::<Packed12, Error>(
@@ -155,6 +156,17 @@ fn bands_of_pairs_and_pages_are_the_whole() {
         )
         .expect("it works");
         assert_eq!(mipi(&wire.take(), 12), wanted, "{rows} rows of pairs");
+        spi.send(Tft444::new().window(frame.window())).expect("it works");
+        for_each_band::<Packed12, Error>(
+            &mut memory,
+            SIZE.0,
+            SIZE.1,
+            rows,
+            |band| scene(band, colors),
+            |band| spi.send(Tft444::new().pixels(&band).expect("an even width")),
+        )
+        .expect("it works");
+        assert_eq!(wire.take(), bytes, "{rows} rows of pairs in one window");
     }
 
     let colors = [BinaryColor::Off, BinaryColor::On, BinaryColor::Off];

@@ -149,7 +149,7 @@ fn frames_are_sent_as_sh1106_sends_them() {
     }
 }
 
-/// Through the interface of sh1106 itself, which its users have: also that on I2C, whose data take whole lines of 128 bytes only.
+/// Through the interface of sh1106 itself, which its users have.
 #[test]
 fn pages_go_through_the_interface_of_sh1106() {
     use sh1106::interface::DisplayInterface;
@@ -235,6 +235,22 @@ fn views_lie_in_pages_or_are_refused() {
     spi.send(Oled::SSD1306.frame(&clipped, [clipped.window()]).expect("aligned")).expect("it works");
     for ((x, y), bit) in pages(&wire.take()) {
         assert_eq!(frame.get((x, y)), Some(Index1::new(bit as u8)), "({x}, {y})");
+    }
+}
+
+/// Controllers have 256 columns and 16 pages at most: what a frame has beyond them is not sent.
+#[test]
+fn what_no_controller_has_is_left_out() {
+    let mut rng = Rng::new(1515);
+    let memory = pictures::memory::<Binary>(&mut rng, (300, 150));
+    let frame = pictures::frame::<Binary>(&memory, (300, 150));
+    for (oled, (columns, first)) in [Oled::SSD1306, Oled::SH1107].into_iter().zip([(0, 0), (10, 3)]) {
+        let wire = Wire::default();
+        let mut spi = Spi::new(wire.clone(), Line(wire.clone()));
+        let oled = oled.with_offset(columns as u8, first as u8);
+        spi.send(oled.frame(&frame, [frame.window()]).expect("aligned")).expect("it works");
+        let inside = Rect::new(0, 0, 256 - columns, 8 * (16 - first));
+        assert_eq!(pages(&wire.take()), seen(&frame, &[inside], (columns, 8 * first)), "{oled:?}");
     }
 }
 

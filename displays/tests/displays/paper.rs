@@ -6,13 +6,14 @@ use embedded_raster::{
     Index1, Index2, Index4, PixelFormat, Rect,
 };
 use embedded_raster_displays::{
-    paper::{self, Ram, Ssd16xx},
+    paper::{self, Ram, Ssd16xx, Uc8176},
     to_target, Error, Spi,
 };
 use epd_waveshare::{
     color::{Color, OctColor, TriColor},
     epd2in13bc::{Display2in13bc, Epd2in13bc},
     epd2in9_v2::{Display2in9, Epd2in9},
+    epd4in2::Epd4in2,
     epd5in65f::{Display5in65f, Epd5in65f},
     prelude::{WaveshareDisplay, WaveshareThreeColorDisplay},
 };
@@ -162,6 +163,41 @@ fn controllers_show_what_is_damaged() {
             assert_eq!(is_inside(memory), wanted, "case {case}: plane {number} of {areas:?} of {size:?}");
         }
     }
+}
+
+/// The same windows as those of the driver, which takes columns below 256 only.
+#[test]
+fn windows_are_sent_as_epd_waveshare_sends_them() {
+    let mut rng = Rng::new(1536);
+    let mut wire = Wire::default();
+    let (pixels, _) = memory(&mut rng, 400 / 8 * 300);
+    let frame = embedded_raster::Frame::<_, Rows<Index1>>::new(&pixels[..], 400, 300).expect("the right size");
+    let line = Line(wire.clone());
+    let mut driver =
+        Epd4in2::new(&mut wire, NotBusy { is_low_busy: true }, line.clone(), Idle, &mut Idle, None).expect("it works");
+    let mut spi = Spi::new(wire.clone(), line);
+    for case in 0..200 {
+        let (x, y) = (rng.int(0, 255), rng.int(0, 299));
+        let area = Rect::new(x, y, rng.int(x + 1, 256), rng.int(y + 1, 300));
+        let mut memory = vec![0; 400 / 8 * 300];
+        let (bytes, grown) = paper::part(&frame, area, &mut memory).expect("it fits");
+        let (x, y) = (grown.x0 as u32, grown.y0 as u32);
+        wire.take();
+        driver
+            .update_partial_frame(&mut wire, &mut Idle, bytes, x, y, grown.width(), grown.height())
+            .expect("it works");
+        let wanted = wire.take();
+        spi.send(Uc8176.frame(&frame, [area], Ram::First).expect("aligned")).expect("it works");
+        assert_eq!(wire.take(), wanted, "case {case}: {area:?}");
+    }
+    // Beyond them, and the other memory.
+    spi.send(Uc8176.frame(&frame, [Rect::new(301, 290, 305, 291)], Ram::Second).expect("aligned")).expect("it works");
+    let sent: Vec<u8> = wire.take().into_iter().map(|(_, byte)| byte).collect();
+    let byte = pixels[290 * 50 + 37];
+    let wanted =
+        [&[0x91, 0x90][..], &[1, 0x28, 1, 0x37, 1, 0x22, 1, 0x22, 1], &[0x10, byte, pixels[290 * 50 + 38], 0x92]]
+            .concat();
+    assert_eq!(sent, wanted);
 }
 
 /// What a driver is handed for a part: rows without gaps.

@@ -114,6 +114,20 @@ where
         let converted = wire.take();
         spi.send(tft.frame(&frame, areas.iter().copied())).expect("it works");
         assert_eq!(wire.take(), converted, "case {case}: converted by {} bytes", line.len());
+        let copied = tft.copied(&frame, areas.iter().copied(), &mut line).expect("a pixel fits");
+        spi.send(copied).expect("it works");
+        assert_eq!(wire.take(), converted, "case {case}: copied by {} bytes", line.len());
+        // Of rows that fit, as many as fit.
+        let whole = frame.window().width() as usize * needed;
+        let fit = line.len() / whole;
+        if fit > 0 {
+            let mut transfers = tft.copied(&frame, [frame.window()], &mut line).expect("a pixel fits");
+            let mut count = 0;
+            while transfers.next().is_some() {
+                count += 1;
+            }
+            assert_eq!(count, 2 + usize::from(size.1).div_ceil(fit), "case {case}: few transfers");
+        }
         assert_eq!(memory.0, before, "a frame is only read");
     }
 }
@@ -265,6 +279,9 @@ fn views_that_begin_inside_of_a_pair_are_refused() {
     let odd = picture.view(Rect::new(1, 0, 4, 1));
     let error = Tft444::new().frame(&odd, [odd.window()]).err();
     assert_eq!(error, Some(Error::Misaligned { at: 1, unit: 2 }));
+    assert_eq!(Tft444::new().pixels(&odd).err(), Some(Error::Misaligned { at: 1, unit: 2 }));
+    let narrow = picture.view(Rect::new(0, 0, 3, 1));
+    assert_eq!(Tft444::new().pixels(&narrow).err(), Some(Error::Misaligned { at: 3, unit: 2 }));
     let even = picture.view(Rect::new(2, 0, 4, 1));
     assert!(Tft444::new().frame(&even, [even.window()]).is_ok());
     // An empty one has no place.
@@ -322,6 +339,93 @@ fn frames_go_through_the_interface_of_mipidsi() {
     });
     assert!(sent.is_ok());
     assert_eq!(mipi(&wire.take(), 16), seen(&frame, &areas, (0, 0), Rgb565::pack));
+}
+
+/// A parallel bus: each write strobe takes what the wires say.
+#[derive(Clone)]
+struct Parallel<W> {
+    wire: Wire,
+    value: std::rc::Rc<std::cell::Cell<W>>,
+}
+
+impl<W: Copy + Into<u16>> mipidsi::interface::OutputBus for Parallel<W>
+where
+    W: Eq,
+{
+    type Word = W;
+    type Error = std::convert::Infallible;
+    const KIND: mipidsi::interface::InterfaceKind = if size_of::<W>() == 1 {
+        mipidsi::interface::InterfaceKind::Parallel8Bit
+    } else {
+        mipidsi::interface::InterfaceKind::Parallel16Bit
+    };
+
+    fn set_value(&mut self, value: W) -> Result<(), Self::Error> {
+        self.value.set(value);
+        Ok(())
+    }
+}
+
+impl<W> embedded_hal::digital::ErrorType for Parallel<W> {
+    type Error = std::convert::Infallible;
+}
+
+impl<W: Copy + Into<u16>> embedded_hal::digital::OutputPin for Parallel<W> {
+    fn set_low(&mut self) -> Result<(), Self::Error> {
+        Ok(())
+    }
+
+    fn set_high(&mut self) -> Result<(), Self::Error> {
+        let word: u16 = self.value.get().into();
+        self.wire.write(&word.to_be_bytes()[2 - size_of::<W>()..]).expect("it works");
+        Ok(())
+    }
+}
+
+/// Eight wires take the bytes of a serial bus, sixteen take pixels; parameters lie in the low half.
+#[test]
+fn frames_go_over_parallel_buses() {
+    use mipidsi::interface::{Interface, ParallelInterface};
+    let mut rng = Rng::new(1505);
+    let (size, areas) = ((31, 17), [Rect::new(0, 0, 31, 17), Rect::new(3, 2, 9, 11)]);
+    let memory = pictures::memory::<Rows<Be<Rgb565>>>(&mut rng, size);
+    let frame = pictures::frame::<Rows<Be<Rgb565>>>(&memory, size);
+    let wire = Wire::default();
+    Spi::new(wire.clone(), Line(wire.clone())).send(Tft565::new().frame(&frame, areas)).expect("it works");
+    let serial = wire.take();
+
+    let bus = Parallel::<u8> { wire: wire.clone(), value: std::rc::Rc::default() };
+    let mut eight = ParallelInterface::new(bus.clone(), Line(wire.clone()), bus);
+    let sent = Tft565::new().frame(&frame, areas).send(|transfer| match transfer.command {
+        [command] => eight.send_command(*command, transfer.data),
+        _ => eight.send_command(0x3c, transfer.data),
+    });
+    assert!(sent.is_ok());
+    let bytes = wire.take();
+    assert_eq!(mipi(&bytes, 16), mipi(&serial, 16));
+
+    let bus = Parallel::<u16> { wire: wire.clone(), value: std::rc::Rc::default() };
+    let mut sixteen = ParallelInterface::new(bus.clone(), Line(wire.clone()), bus);
+    let sent = Tft565::new().frame(&frame, areas).send(|transfer| match transfer.command {
+        [0x2c] | [] => {
+            transfer.command.iter().try_for_each(|&command| sixteen.send_command(command, &[]))?;
+            sixteen.send_pixels(transfer.data.chunks_exact(2).map(|pixel| [u16::from_be_bytes([pixel[0], pixel[1]])]))
+        }
+        [command, ..] => sixteen.send_command(*command, transfer.data),
+    });
+    assert!(sent.is_ok());
+    // Two bytes for each word: of commands and parameters the low one counts.
+    let (mut bytes, mut is_pixels) = (vec![], false);
+    for pair in wire.take().chunks(2) {
+        let &[(is_data, high), (_, low)] = pair else { panic!("words") };
+        if !is_data {
+            is_pixels = low == 0x2c;
+        } else if is_pixels {
+            bytes.push((true, high));
+        }
+        bytes.push((is_data, low));
+    }
+    assert_eq!(bytes, serial);
 }
 
 /// The format is exact both ways.
