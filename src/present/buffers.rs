@@ -5,6 +5,8 @@ use core::{
     ops::{Deref, DerefMut},
 };
 
+use super::vsync::Vsync;
+
 /// What is drawn on and shown as one thing: memory, or memory and the palette that belongs to it.
 ///
 /// It is moved, not borrowed: from those that are free to the program that draws, and on to the display. What is in it is reached by
@@ -72,19 +74,6 @@ impl<B> Deref for Buffer<B> {
 impl<B> DerefMut for Buffer<B> {
     fn deref_mut(&mut self) -> &mut B {
         &mut self.content
-    }
-}
-
-/// Waits until the display may be given another picture: its vertical synchronisation, or its tearing-effect line.
-pub trait Vsync {
-    /// Returns when the next refresh begins.
-    fn wait(&mut self);
-}
-
-/// A function that waits.
-impl<F: FnMut()> Vsync for F {
-    fn wait(&mut self) {
-        self();
     }
 }
 
@@ -343,11 +332,18 @@ mod tests {
         let mut chain = Swapchain::new([0, 1]);
         let (mut waited, mut seen) = (0, vec![]);
         for _ in 0..4 {
-            let buffer = chain.begin_blocking(&mut || waited += 1, |shown| seen.push(shown.frame()));
+            let mut vsync = || {
+                waited += 1;
+                true
+            };
+            let buffer = chain.begin_blocking(&mut vsync, |shown| seen.push(shown.frame()));
             chain.finish(buffer.expect("one of two"));
             chain.flip();
             let buffer = chain.begin().expect("the other one");
-            assert!(chain.begin_blocking(&mut || unreachable!("nothing waits"), |_| ()).is_none(), "both are taken");
+            assert!(
+                chain.begin_blocking(&mut || -> bool { unreachable!("nothing waits") }, |_| ()).is_none(),
+                "both are taken"
+            );
             chain.finish(buffer);
         }
         assert_eq!((waited, seen), (3, vec![2, 4, 6]));

@@ -22,17 +22,34 @@
 //! lock. [`Queues`] hands the same buffers to an interrupt or to another core, without a lock and without `unsafe`. A buffer
 //! is moved from hand to hand, so nobody can draw on one that is shown: the compiler sees to that.
 //!
-//! A buffer that comes back holds an older frame. Its [age](Buffer::age) tells which, so that a program need not draw what has not
-//! changed since.
+//! How a program and its display find together, for each kind of program:
+//!
+//! | the program | takes a buffer by | buffers are exchanged by |
+//! |---|---|---|
+//! | waits for the display | [`Swapchain::begin_blocking`] with a [`Vsync`] | the same call |
+//! | does something else meanwhile | [`Swapchain::begin`], which returns at once | [`Swapchain::flip`] when [`Vsync::is_due`] |
+//! | is a task among others | [`Swapchain::begin_async`] | the same call |
+//! | is interrupted by the display | [`Drawer::begin`], which never waits with three buffers | [`Display::flip`] in the interrupt |
+//!
+//! A buffer is whatever the program puts there: memory, or memory and the palette that belongs to it, so that both are exchanged at once.
+//!
+//! A buffer that comes back holds an older frame. Its [age](Buffer::age) tells which, and [`History`] what has changed since: that alone need be
+//! drawn. [`Grain`] makes of it what is to be sent to a display that keeps its picture.
 //!
 //! Where memory holds only some rows of a screen, [`Bands`] draws it part by part.
 
 mod bands;
 mod buffers;
+mod history;
+mod jobs;
 mod queues;
+mod vsync;
 
 pub use self::{
     bands::{for_each_band, for_each_band_async, Bands},
-    buffers::{Buffer, Swapchain, Vsync},
+    buffers::{Buffer, Swapchain},
+    history::History,
+    jobs::{Grain, Jobs},
     queues::{Display, Drawer, Queues},
+    vsync::{Pulse, Vsync},
 };

@@ -4,10 +4,12 @@
 //! [`Layout`], which says where a pixel is. [`Framebuffer`] is the short name of the usual one, rows of pixels.
 //! [`Readable`] surfaces can be read as well, which flood fills and scrolling need. A [`Counter`] paints nothing and counts.
 //!
-//! A wrapper around a surface can be a surface too, through which everything goes that is drawn.
+//! A wrapper around a surface can be a surface too, through which everything goes that is drawn. A [`Recorder`] is one: it tells
+//! where something is drawn, and [`Damage`] keeps that as a short list of rectangles.
 
 mod blit;
 mod counter;
+mod damage;
 mod depth;
 mod draw;
 mod frame;
@@ -15,6 +17,7 @@ mod layout;
 mod packed12;
 mod pages;
 mod planes;
+mod recorder;
 mod rows;
 pub mod texture;
 mod traits;
@@ -22,12 +25,14 @@ mod traits;
 pub(crate) use self::traits::{Inside, Said};
 pub use self::{
     counter::Counter,
+    damage::Damage,
     depth::{Depth, DepthBuffer},
     frame::Frame,
     layout::{Grid, Layout, Place},
     packed12::Packed12,
     pages::{paged_bytes, Paged, Pages},
     planes::Planes,
+    recorder::Recorder,
     rows::{Bitmap, Framebuffer, Rows},
     texture::Texture,
     traits::{Readable, Surface},
