@@ -4,7 +4,7 @@ mod finder;
 
 use std::{collections::BTreeMap, path::Path};
 
-use calls::{computing, frames, paths, present, shading, space, DRAWING, READING};
+use calls::{computing, damage, frames, paths, present, shading, space, DRAWING, READING};
 use finder::Source;
 
 /// What need not be in the list, by name or by owner, and why.
@@ -74,8 +74,17 @@ fn the_list_is_complete() {
             || ["fmt", "format"].contains(&function)
     };
     let wanted = count(source.names().into_iter().filter(|name| !is_elsewhere(name)));
-    let lists =
-        [DRAWING, READING, frames::NAMES, computing::NAMES, paths::NAMES, present::NAMES, shading::NAMES, space::NAMES];
+    let lists = [
+        DRAWING,
+        READING,
+        frames::NAMES,
+        computing::NAMES,
+        damage::NAMES,
+        paths::NAMES,
+        present::NAMES,
+        shading::NAMES,
+        space::NAMES,
+    ];
     let listed = count(lists.concat());
     let lacks = |these: &BTreeMap<String, usize>, those: &BTreeMap<String, usize>| -> Vec<String> {
         these.iter().filter(|(name, n)| those.get(*name).is_none_or(|m| m < *n)).map(|(name, _)| name.clone()).collect()

@@ -13,7 +13,7 @@
 
 use std::hint::black_box;
 
-use calls::{computing, frames, Arguments};
+use calls::{computing, damage, frames, Arguments};
 use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Gray2, Gray8, Rgb555, Rgb565, Rgb888, RgbColor},
@@ -23,7 +23,7 @@ use embedded_raster::{
     geom::{polygon::crossings, triangulate},
     pixel::{Be, Lsb0, Rgb444, Xrgb8888},
     raster::polygon,
-    surface::{Counter, Grid, Packed12, Pages, Planes, Rows},
+    surface::{Counter, Damage, Grid, Packed12, Pages, Planes, Rows},
     Angle, Bitmap, Canvas, Error, FillRule, Frame, Index1, Index2, Index4, Index8, Layout, Mat4, Palette, Patch, Path,
     PixelFormat, PointFx, Rect, Vec4,
 };
@@ -314,6 +314,17 @@ fn what_makes_paths() {
                     scratch.arguments::<Rows<Index1>>(&mut Input(&bytes), Ground::Wild, [Index1::new(0); 2]);
                 black_box(calls::paths::call(text, &mut arguments, number));
             }
+        }
+    }
+}
+
+#[test]
+fn what_has_changed() {
+    let (mut random, mut scratch, mut changed) = (Random::new(893), Scratch::new(893), Damage::new());
+    for _ in 0..twins::rng::cases(20_000) {
+        let mut arguments = scratch.arguments::<Rows<Index1>>(&mut random.input(), Ground::Wild, COLORS);
+        for k in 0..=damage::NAMES.len() {
+            black_box(damage::call(&mut changed, &mut arguments, k));
         }
     }
 }

@@ -12,6 +12,7 @@
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
 //! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
 //! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
+//! | [`damage::call`] | what has changed, and what is to be sent of it | a list of rectangles |
 //! | [`present::call`] | buffers and bands on their way to a display, likewise | nothing |
 //!
 //! A call is named as what it calls: the type, the trait or the module, and the function. A test in `tests/calls.rs` reads the
@@ -21,6 +22,7 @@
 pub mod answer;
 pub mod antialias;
 pub mod computing;
+pub mod damage;
 pub mod frames;
 pub mod paths;
 pub mod present;

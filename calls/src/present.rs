@@ -1,8 +1,10 @@
 //! The list of what hands frames to a display: buffers and bands. Futures are not in it, as all of them panic when they are polled
 //! again after their end; nor are queues, which are those of the crate heapless.
 
+use core::task::{Context, Waker};
+
 use embedded_raster::{
-    present::{for_each_band, Bands, Buffer, Swapchain, Vsync},
+    present::{for_each_band, Bands, Buffer, Pulse, Swapchain, Vsync},
     surface::Rows,
     BufferError, Frame, Index4,
 };
@@ -48,6 +50,23 @@ calls! { a;
         chained::<1>(a).wrapping_add(chained::<2>(a)).wrapping_add(chained::<3>(a))
     };
     "Swapchain::begin_blocking", "Vsync::wait" => waited(a);
+    "Pulse::new", "Pulse::signal", "Vsync::is_due", "Vsync::poll_due" => {
+        let (pulse, mut sum) = (Pulse::new(), 0_u32);
+        for operation in a.operations {
+            let mut task = Context::from_waker(Waker::noop());
+            let is_due = match operation & 3 {
+                0 => (&pulse).is_due(),
+                1 => (&pulse).poll_due(&mut task).is_ready(),
+                2 => (|| operation & 4 == 0).poll_due(&mut task).is_ready(),
+                _ => {
+                    pulse.signal();
+                    continue;
+                }
+            };
+            sum = sum.wrapping_mul(2).wrapping_add(is_due.into());
+        }
+        sum
+    };
     "Bands::new", "Bands::next_band" => {
         let [width, height, rows] = a.size;
         let mut memory = [0; 96];
@@ -104,7 +123,10 @@ fn waited(a: &Arguments) -> u32 {
     let (mut chain, mut sum) = (Swapchain::new([7; 2]), 0_u32);
     for operation in a.operations {
         let mut waits = 0_u32;
-        let mut vsync = || waits = waits.wrapping_add(1);
+        let mut vsync = || {
+            waits = waits.wrapping_add(1);
+            true
+        };
         vsync.wait();
         let begun = chain.begin_blocking(&mut vsync, |shown| sum = sum.wrapping_add(digest(shown)));
         sum = sum.wrapping_add(waits);

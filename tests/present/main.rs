@@ -2,6 +2,7 @@
 
 mod bands;
 mod cores;
+mod damage;
 mod queues;
 
 use embedded_raster::{Canvas, Frame, Layout, Rect};

@@ -14,7 +14,7 @@ use embedded_raster::{
 };
 use embedded_raster::{
     pixel::{Be, Lsb0},
-    surface::{Pages, Rows},
+    surface::{Damage, Pages, Rows},
     Frame, Index4, Layout, Palette, Rect,
 };
 
@@ -104,6 +104,11 @@ pub unsafe extern "C" fn shade(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, 
 #[no_mangle]
 pub extern "C" fn space(a: &calls::space::Arguments, number: usize) -> u32 {
     calls::space::call(a, number)
+}
+
+#[no_mangle]
+pub extern "C" fn changed(on: &mut Damage<2>, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
+    calls::damage::call(on, a, number)
 }
 
 #[no_mangle]
