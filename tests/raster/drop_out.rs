@@ -32,7 +32,9 @@ fn drawn(
     let (mut table, mut pixels) = (vec![EdgeSlot::EMPTY; slots], BTreeSet::new());
     drop_out::fill(&places(contours), rule, drop_out, &mut table, window, |s: ClippedSpan| {
         assert!((window.y0..window.y1).contains(&s.y()) && window.x0 <= s.x0() && s.x1() <= window.x1, "{s:?}");
-        pixels.extend((s.x0()..s.x1()).map(|x| (s.y(), x)));
+        for x in s.x0()..s.x1() {
+            assert!(pixels.insert((s.y(), x)), "({x}, {}) comes again, {drop_out:?}: {contours:?}", s.y());
+        }
     })?;
     Ok(pixels)
 }
@@ -116,6 +118,23 @@ fn a_thin_stem_is_one_column() {
     let right = [vec![(960, 256), (1_140, 256), (1_140, 1_536), (960, 1_536)]];
     let got = drawn(&right, FillRule::NonZero, DropOut::SMART, 4, window).unwrap();
     assert_eq!(got, (1..6).map(|y| (y, 4)).collect(), "the middle, 4.1, is nearer to column 4");
+}
+
+/// A pixel that both of its neighbours in the row turn on, and one that is turned on along its row and along its column.
+#[test]
+fn each_pixel_comes_once() {
+    let dot = |x: i32, y: i32| vec![(x, y), (x + 40, y), (x + 40, y + 200), (x, y + 200)];
+    let window = Rect::new(0, 0, 5, 5);
+    // Left and right of the centre of (2, 2), and nearer to it than to its neighbours.
+    let beside = [dot(2 * 256 + 30, 600), dot(2 * 256 + 180, 600)];
+    assert_eq!(drawn(&beside, FillRule::NonZero, DropOut::SMART, 8, window), Ok([(2, 2)].into()));
+    // A cross whose bars lie between the centres of rows and of columns.
+    let cross =
+        [vec![(650, 500), (690, 500), (690, 690), (650, 690)], vec![(500, 650), (690, 650), (690, 690), (500, 690)]];
+    for drop_out in ALL {
+        let got = drawn(&cross, FillRule::NonZero, drop_out, 16, window).expect("enough slots");
+        assert!(!drop_out.stubs || !got.is_empty(), "{drop_out:?}");
+    }
 }
 
 #[test]

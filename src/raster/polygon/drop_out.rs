@@ -23,11 +23,12 @@
 //! A crossing is exact. A centre on a side counts as everywhere: along a row as if it were moved a little to the right and much less
 //! down, along a column a little down and much less to the right.
 //!
-//! **Order.** First the rows come, top first, and then the pixels that are turned on along columns, column after column. A pixel
-//! that is turned on for both of its neighbours in a row, or along its row and along its column, comes more than once.
+//! **Order.** First the rows come, top first, and then the pixels that are turned on along columns only, column after column. Each
+//! pixel comes once.
 //!
-//! **Work.** Twice that of a fill, by rows and by columns; without stubs, a comparison with all sides for each such place. The
-//! table has to be large enough for the columns too.
+//! **Work.** Twice that of a fill, by rows and by columns; and a comparison with all sides for each pixel that is turned on along a
+//! column, as it may have come along its row. Without stubs there is one more for each such place. The table has to be large enough
+//! for the columns too.
 //!
 //! Range: any `I24F8`; crossings of sides that are higher, or wider for columns, than 65,536 pixels are rounded to `2^-24` pixel.
 //!
@@ -50,7 +51,7 @@ use crate::{
         polygon::each_side,
         PointFx,
     },
-    num::cast::saturate,
+    num::{cast::saturate, round::first_centre_from},
     span::{Rect, Sink, Span},
 };
 
@@ -123,14 +124,17 @@ where
     let is_on = |gap: Gap| drop_out.stubs || goes_on(contours.clone(), gap);
     in_bands(along_columns, table, wider(columns), &[false], |_, _| {})?;
     in_bands(along_rows, table, wider(window), &[false, true], |table, band| {
+        // The last pixel that was turned on: the gap after it may turn it on again.
+        let mut last = None;
         scan(table, band, rule, |row, found| {
             let span = match found {
                 Found::Span(x0, x1) => Span { y: row, x0, x1 },
                 Found::Gap(x, is_nearer) => {
                     let x0 = if drop_out.smart && is_nearer { x } else { x.wrapping_sub(1) };
-                    if !is_on(Gap { line: row, place: x, is_column: false }) {
+                    if last == Some((row, x0)) || !is_on(Gap { line: row, place: x, is_column: false }) {
                         return;
                     }
+                    last = Some((row, x0));
                     Span { y: row, x0, x1: x0.wrapping_add(1) }
                 }
             };
@@ -140,15 +144,97 @@ where
         });
     })?;
     in_bands(along_columns, table, wider(columns), &[false, true], |table, band| {
+        let mut last = None;
         scan(table, band, rule, |column, found| {
             let Found::Gap(y, is_nearer) = found else { return };
             let row = if drop_out.smart && !is_nearer { y.wrapping_sub(1) } else { y };
             let pixel = Span { y: row, x0: column, x1: column.wrapping_add(1) };
-            if let Some(span) = pixel.clip(window).filter(|_| is_on(Gap { line: column, place: y, is_column: true })) {
-                sink.span(span);
+            let Some(span) = pixel.clip(window).filter(|_| last != Some((column, row))) else { return };
+            if is_on(Gap { line: column, place: y, is_column: true }) {
+                last = Some((column, row));
+                let along_row = AlongRow::new(contours.clone(), (column, row));
+                let mut gaps = along_row.gaps(rule, drop_out.smart);
+                let mut is_turned_on = || gaps.any(|place| is_on(Gap { line: row, place, is_column: false }));
+                if !along_row.is_inside(rule) && !is_turned_on() {
+                    sink.span(span);
+                }
             }
         });
     })
+}
+
+/// What there is along a row at a pixel, and on both sides of it: to be asked about one pixel, where no table of the row is at hand.
+struct AlongRow {
+    x: i32,
+    /// How the contours wind around the centre of the pixel before, of the pixel, and of the one after.
+    windings: [i32; 3],
+    /// The first and the last crossing between two of these.
+    ends: [Option<(EdgeSlot, EdgeSlot)>; 2],
+}
+
+impl AlongRow {
+    fn new<C>(contours: C, (x, row): (i32, i32)) -> Self
+    where
+        C: IntoIterator,
+        C::Item: IntoIterator,
+        <C::Item as IntoIterator>::Item: Borrow<PointFx>,
+    {
+        let mut gaps = Self { x, windings: [0; 3], ends: [None, None] };
+        for contour in contours {
+            each_side(contour.into_iter().map(|v| *v.borrow()), |a, b| {
+                let [start, end] = [a, b].map(|v| first_centre_from(bits(v).1));
+                if start.min(end) <= row && row < start.max(end) {
+                    let mut edge = EdgeSlot::EMPTY;
+                    edge.put_exact(a, b, (row, row.wrapping_add(1)), start < end);
+                    gaps.add(&edge);
+                }
+            });
+        }
+        gaps
+    }
+
+    fn add(&mut self, edge: &EdgeSlot) {
+        let Self { x, windings: [before, at, after], ends: [left, right] } = self;
+        let (crossing, winding) = (edge.x(), edge.winding());
+        if crossing > x.wrapping_add(1) {
+            return;
+        }
+        *after = after.wrapping_add(winding);
+        let ends = if crossing > *x {
+            right
+        } else {
+            *at = at.wrapping_add(winding);
+            if crossing < *x {
+                *before = before.wrapping_add(winding);
+                return;
+            }
+            left
+        };
+        match ends {
+            None => *ends = Some((edge.clone(), edge.clone())),
+            Some((first, _)) if is_before(edge, first) => *first = edge.clone(),
+            Some((_, last)) if is_before(last, edge) => *last = edge.clone(),
+            Some(_) => {}
+        }
+    }
+
+    /// Whether the pixel is inside. It may be, where its centre is on a side: then it is not along its column.
+    fn is_inside(&self, rule: FillRule) -> bool {
+        let [_, at, _] = self.windings;
+        at & rule.mask() != 0
+    }
+
+    /// The places of the gaps that turn the pixel on, but for stubs.
+    fn gaps(&self, rule: FillRule, is_smart: bool) -> impl Iterator<Item = i32> {
+        let [before, at, after] = self.windings.map(|winding| winding & rule.mask() != 0);
+        let chosen = |ends: &Option<(EdgeSlot, EdgeSlot)>, is_second: bool| {
+            ends.as_ref().is_some_and(|(first, last)| (is_smart && is_nearer(first, last)) == is_second)
+        };
+        let [left, right] = &self.ends;
+        let left = (!before && !at && chosen(left, true)).then_some(self.x);
+        let right = (!at && !after && chosen(right, false)).then_some(self.x.wrapping_add(1));
+        left.into_iter().chain(right)
+    }
 }
 
 /// How many slots [`fill`] needs for a polygon: see [`polygon::edge_slots`](super::edge_slots).
