@@ -260,18 +260,74 @@ fn sectors_of_one_unit_and_of_all_but_one() {
     assert_eq!(painted(Sector::new(first, last)).0, 69, "no centre lies in the last unit");
     assert_eq!(painted(Sector::new(first, Angle::from_bits(1))), (5, vec![(4, 4, 9)]), "the half axis with the middle");
     let axes = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
-    for (i, axis) in (0..).zip(axes) {
+    // Which of the two sectors that meet in it a ray belongs to.
+    let is_first = [true, true, false, false, false, true, true, false];
+    for (i, (axis, is_first)) in (0..).zip(axes.into_iter().zip(is_first)) {
         let at = Angle::turns(i, 8);
         let [before, after] = [at.plus(-1), at.plus(1)];
         let has = |start, end, (u, v): (i64, i64)| Sector::new(start, end).contains(5 * u, 5 * v);
         for other in axes {
             let same = axis == other;
-            assert_eq!(has(at, after, other), same, "one unit from eighth {i} on: {other:?}");
-            assert!(!has(before, at, other), "one unit up to eighth {i}: {other:?}");
+            assert_eq!(has(at, after, other), same && is_first, "one unit from eighth {i} on: {other:?}");
+            assert_eq!(has(before, at, other), same && !is_first, "one unit up to eighth {i}: {other:?}");
             assert_eq!(has(before, after, other), same, "two units around eighth {i}: {other:?}");
-            assert_eq!(has(after, at, other), !same, "all but one unit after eighth {i}: {other:?}");
+            let others = |is_first| !same || is_first;
+            assert_eq!(has(after, at, other), others(!is_first), "all but one unit after eighth {i}: {other:?}");
             assert_eq!(has(after, before, other), !same, "all but two units around eighth {i}: {other:?}");
-            assert!(has(at, before, other), "all but the unit before eighth {i}: {other:?}");
+            assert_eq!(has(at, before, other), others(is_first), "all but the unit before eighth {i}: {other:?}");
+        }
+    }
+}
+
+/// The rows of a sector of the disc in a box, as runs.
+fn sector_runs(area: Rect, start: i32, end: i32) -> Vec<Run> {
+    let sector = Sector::new(Angle::degrees(start), Angle::degrees(end));
+    collect(area, |emit| arc::fill(Ellipse::in_box(area), sector, area, emit))
+}
+
+/// The row of the centre belongs to the half disc below as a whole, its column to the half disc on the right.
+#[test]
+fn half_discs_are_symmetric() {
+    let area = Rect::new(0, 0, 9, 9);
+    let whole = collect(area, |emit| embedded_raster::raster::ellipse::fill(Ellipse::in_box(area), area, emit));
+    let wanted: Vec<Run> = whole.iter().copied().filter(|run| run.0 >= 4).collect();
+    assert_runs(area, &sector_runs(area, 0, 180), &wanted, || "below".into());
+    assert_eq!(wanted[0], (4, 0, 9), "the row of the centre");
+    let wanted: Vec<Run> = whole.iter().copied().filter(|run| run.0 < 4).collect();
+    assert_runs(area, &sector_runs(area, 180, 0), &wanted, || "above".into());
+    let wanted: Vec<Run> = whole.iter().map(|&(y, _, x1)| (y, 4, x1)).collect();
+    assert_runs(area, &sector_runs(area, -90, 90), &wanted, || "on the right".into());
+}
+
+/// From an angle to its mirror image, a sector is its own mirror image: whatever the angle, whatever the parity of the box.
+#[test]
+fn sectors_are_as_symmetric_as_their_angles() {
+    let mut rng = Rng::new(407);
+    for (width, height) in (1..=14).flat_map(|width| (1..=14).map(move |height| (width, height))) {
+        let area = Rect::new(0, 0, width, height);
+        for i in 0..40 {
+            let angle = if i < 16 { Angle::turns(i, 16) } else { Angle::from_bits(rng.bits() as u32) };
+            let half = Angle::degrees(180);
+            for (other, is_sideways) in [(half - angle, true), (-angle, false)] {
+                let inner = Rect::new(2, 2, width - 2, height - 2);
+                let shapes: [&dyn Fn(&mut dyn FnMut(ClippedSpan)); 3] = [
+                    &|emit| arc::fill(Ellipse::in_box(area), Sector::new(angle, other), area, emit),
+                    &|emit| arc::outline(area, Sector::new(angle, other), area, emit),
+                    &|emit| {
+                        let [outer, inner] = [area, inner].map(Ellipse::in_box);
+                        arc::ring_sector(outer, inner, Sector::new(angle, other), area, emit);
+                    },
+                ];
+                for shape in shapes {
+                    let got = collect(area, shape);
+                    let mirrored = runs_where(area, |x, y| {
+                        let (x, y) = if is_sideways { (width - 1 - x, y) } else { (x, height - 1 - y) };
+                        // The pixel in the middle has no other.
+                        got.iter().any(|run| run.0 == y && run.1 <= x && x < run.2)
+                    });
+                    assert_runs(area, &got, &mirrored, || format!("from {angle:?} to {other:?}"));
+                }
+            }
         }
     }
 }

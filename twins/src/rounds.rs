@@ -4,16 +4,18 @@ use embedded_raster::{Angle, Radii, Rect};
 
 use super::shapes;
 
-/// Is a place less than half a turn after a direction? The centre stands a little to its right, much less below.
+/// Is a place less than half a turn after a direction? It stands a little farther from the horizontal line through the middle, or
+/// below it, and much less to the right; the middle itself a little to the right, and much less below.
 fn after((x, y): (i32, i32), (u, v): (i64, i64)) -> bool {
     let (x, y) = (i128::from(x), i128::from(y));
-    // In units so small that (2, 1) is a nudge, and e^2 is far below e.
-    let fine = |n: i64, nudge: i128| i128::from(n) * (1 << 60) + if (u, v) == (0, 0) { nudge } else { 0 };
-    let (u, v) = (fine(u, 1 << 40), fine(v, 1));
-    match x * v - y * u {
-        0 => x * u + y * v > 0,
-        cross => cross > 0,
-    }
+    // In units so small that e is a nudge, and e^2 is far below e.
+    let (one, e) = (1_i128 << 62, 1_i128 << 31);
+    let (right, down) = match (u, v) {
+        (0, 0) => (e, 1),
+        (_, ..0) => (1, -e),
+        _ => (1, e),
+    };
+    x * (i128::from(v) * one + down) - y * (i128::from(u) * one + right) > 0
 }
 
 /// Does a place, seen from the middle, lie in a sector?

@@ -2,13 +2,27 @@
 //!
 //! A [`Sector`] goes clockwise from one [`Angle`] to another, or is a whole turn. Each angle stands for the direction vector
 //! `d = (cos, sin)` that [`Angle::cos_sin`] gives in whole numbers, and a pixel belongs to the sector when its centre
-//! p = (u, v), seen from the centre of the shape, lies at or after the first direction and before the second:
+//! p = (u, v), seen from the centre of the shape, lies after the first direction and before the second:
 //! ```text
-//!   p is less than half a turn after d:    d.x v - d.y u > 0,  or = 0 and d.x u + d.y v > 0
+//!   p is less than half a turn after d:    d.x v - d.y u > 0
 //! ```
-//! exactly, in 64 bits. A centre on the first ray is in and one on the second ray is out; the centre of the shape itself
-//! counts as a little to its right and, much less, below. So sectors that follow each other round draw every pixel of the
-//! ellipse once. For ellipses these are the directions on the screen, not the parameter of the ellipse.
+//! exactly, in 64 bits. For ellipses these are the directions on the screen, not the parameter of the ellipse.
+//!
+//! **A pixel exactly on a ray** goes to one of the two sectors that meet there. Which one, the pixel decides, whatever the sectors
+//! are: it counts as a little farther from the horizontal line through the centre (below it, if it lies on that line), and much less
+//! to the right. So sectors that follow each other round draw every pixel of the ellipse once, and a single one is as symmetric as its
+//! angles:
+//! ```text
+//!   135 to 45 degrees, 7 x 7    0 to 180 degrees: the row of the centre is in as a whole, and not in 180 to 360 degrees
+//!     ..###..                     .......
+//!     .#####.                     .......     The same on the left and on the right is each sector from an angle to half a turn
+//!     #######                     .......     less that angle; above and below each from an angle to the opposite of it.
+//!     #######                     #######
+//!     ##...##                     #######
+//!     .......                     .#####.
+//!     .......                     ..###..
+//! ```
+//! The pixel around the centre of the shape counts as a little to its right and, much less, below.
 //!
 //! - An **arc** has the pixels of the full [outline](super::ellipse::outline) that lie in the sector.
 //! - A filled **sector** has the pixels of the filled ellipse that do.
@@ -33,7 +47,7 @@ use crate::{
     span::{ClippedSpan, Rect, Sink, Span},
 };
 
-/// The directions clockwise from one angle up to another, without that.
+/// The directions clockwise from one angle up to another.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sector {
@@ -55,12 +69,12 @@ enum Extent {
 }
 
 impl Sector {
-    /// Clockwise from `start` up to `end`, without `end`. From an angle to itself there is nothing: an [`Angle`] knows no whole
+    /// Clockwise from `start` up to `end`. From an angle to itself there is nothing: an [`Angle`] knows no whole
     /// turns. Where all of a turn can occur, as in a gauge, use [`sweep`](Self::sweep) or [`slice`](Self::slice).
     /// ```
     /// use embedded_raster::{geom::Angle, raster::arc::Sector};
     /// let lower_right = Sector::new(Angle::degrees(0), Angle::degrees(90));
-    /// assert!(lower_right.contains(3, 2) && lower_right.contains(3, 0) && !lower_right.contains(0, 3));
+    /// assert!(lower_right.contains(3, 2) && !lower_right.contains(-3, 2) && !lower_right.contains(3, -2));
     /// ```
     pub fn new(start: Angle, end: Angle) -> Self {
         let extent = match start.clockwise_to(end) {
@@ -73,8 +87,7 @@ impl Sector {
 
     /// From `start` on, so many degrees clockwise, or the other way if negative. A full turn and more is everything.
     ///
-    /// A sweep of -90 degrees from an angle is one of 90 degrees up to that angle. As everywhere, the first direction, going
-    /// clockwise, is in and the last one is out.
+    /// A sweep of -90 degrees from an angle is one of 90 degrees up to that angle.
     /// ```
     /// use embedded_raster::{geom::Angle, raster::arc::Sector};
     /// use fixed::types::I16F16;
@@ -134,14 +147,14 @@ impl Sector {
     }
 }
 
-/// Whether (u, v) lies in a direction, or clockwise from it by less than half a turn.
+/// Whether (u, v) lies clockwise from a direction, by less than half a turn.
 fn is_after((x, y): (i32, i32), u: i64, v: i64) -> bool {
-    let (x, y) = (i64::from(x), i64::from(y));
     // The centre counts as (1, 0) and a little below.
-    let (u, nudge) = if u == 0 && v == 0 { (1, y == 0 && x > 0) } else { (u, false) };
-    let cross = x.wrapping_mul(v).wrapping_sub(y.wrapping_mul(u));
-    let dot_is_positive = || x.wrapping_mul(u).wrapping_add(y.wrapping_mul(v)) > 0;
-    cross > 0 || nudge || cross == 0 && dot_is_positive()
+    let u = if u == 0 && v == 0 { 1 } else { u };
+    let cross = i64::from(x).wrapping_mul(v).wrapping_sub(i64::from(y).wrapping_mul(u));
+    // Of (0, 1), or of (0, -1) above the centre, and of (1, 0) if that is on the line too.
+    let tie = if x == 0 { y < 0 } else { (x > 0) == (v >= 0) };
+    cross > 0 || cross == 0 && tie
 }
 
 /// Emits the pixels of the outline of the ellipse in a box that lie in a sector and in `window`, top row first.
