@@ -13,14 +13,15 @@ pub use self::antialias::Antialias;
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, Segments, Varying},
+    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, RoundCorners, Segments, Varying},
     paint::{along, Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
+        chord,
         ellipse::{self, Ellipse},
         flood::{self as pour, Connectivity, FloodSlot},
-        line, line_fx, outline,
+        gauge, line, line_fx, outline,
         polygon::{self, drop_out::DropOut, EdgeSlot},
         rectangle,
         rounded::{self, Align, Radii},
@@ -478,6 +479,57 @@ pub trait Canvas: Surface {
         in_color(self, color, |window, brush| arc::ring_sector(outer, inner, sector, window, brush));
     }
 
+    /// Fills the part of a ring that lies in a sector, with round ends: see [`gauge`](crate::raster::gauge).
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Angle, Canvas, Framebuffer, Rect, Sector};
+    /// let mut ram = [b'.'; 12 * 9];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 12, 9)?;
+    /// let upper_half = Sector::new(Angle::degrees(180), Angle::degrees(0));
+    /// frame.fill_gauge(Rect::new(0, 0, 12, 12), Rect::new(4, 4, 8, 8), upper_half, Gray8::new(b'#'));
+    /// let rows = [
+    ///     "....####....", "..########..", ".##########.", ".##########.", "#####..#####", "####....####", "####....####",
+    ///     ".##......##.", "............",
+    /// ];
+    /// assert_eq!(std::str::from_utf8(&ram), Ok(&*rows.concat()));
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias("gauge", "drawSmoothArc", "lv_draw_arc", "rounded_arc"))]
+    #[inline]
+    fn fill_gauge(&mut self, outer: impl Into<Rect>, inner: impl Into<Rect>, sector: Sector, color: Self::Color) {
+        self.fill_gauge_fx(Ellipse::in_box(outer.into()), Ellipse::in_box(inner.into()), sector, color);
+    }
+
+    /// Fills the part of a ring that lies in a sector, with round ends.
+    #[inline]
+    fn fill_gauge_fx(&mut self, outer: Ellipse, inner: Ellipse, sector: Sector, color: Self::Color) {
+        in_color(self, color, |window, brush| gauge::fill(outer, inner, sector, window, brush));
+    }
+
+    /// Fills a segment of the ellipse in a box: what the chord between the ends of a sector's arc cuts off. See
+    /// [`chord`](crate::raster::chord).
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Angle, Canvas, Framebuffer, Rect, Sector};
+    /// let mut ram = [b'.'; 36];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 6, 6)?;
+    /// let bowl = Sector::new(Angle::degrees(20), Angle::degrees(160));
+    /// frame.fill_chord(Rect::new(0, 0, 6, 6), bowl, Gray8::new(b'#'));
+    /// assert_eq!(&ram, b"........................######.####.");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias("segment", "chord"))]
+    #[inline]
+    fn fill_chord(&mut self, area: impl Into<Rect>, sector: Sector, color: Self::Color) {
+        self.fill_chord_fx(Ellipse::in_box(area.into()), sector, color);
+    }
+
+    /// Fills a segment of an ellipse.
+    #[inline]
+    fn fill_chord_fx(&mut self, ellipse: Ellipse, sector: Sector, color: Self::Color) {
+        in_color(self, color, |window, brush| chord::fill(ellipse, sector, window, brush));
+    }
+
     /// Draws the outline of a rectangle with rounded corners, one pixel wide.
     #[doc(alias("drawRoundRect", "drawRFrame", "rounded_rectangle", "RoundedRectangle"))]
     #[inline]
@@ -542,6 +594,46 @@ pub trait Canvas: Surface {
     fn stroke_arc(&mut self, area: impl Into<Rect>, sector: Sector, width: u32, align: Align, color: Self::Color) {
         let [outer, inner] = align.boxes(area.into(), width);
         self.fill_ring_sector(outer, inner, sector, color);
+    }
+
+    /// Draws the part of an ellipse that lies in a sector, with a line so many pixels wide and round ends: see
+    /// [`stroke_ellipse`](Self::stroke_ellipse) and [`gauge`](crate::raster::gauge).
+    #[doc(alias("gauge", "drawSmoothArc", "rounded_arc"))]
+    #[inline]
+    fn stroke_round_arc(
+        &mut self,
+        area: impl Into<Rect>,
+        sector: Sector,
+        width: u32,
+        align: Align,
+        color: Self::Color,
+    ) {
+        let [outer, inner] = align.boxes(area.into(), width);
+        self.fill_gauge(outer, inner, sector, color);
+    }
+
+    /// Draws the arc of an ellipse, by its centre and radii, that lies in a sector, with any width, caps and dashes: half of the width
+    /// on either side of the curve. See [`arc::stroke`](crate::raster::arc::stroke).
+    ///
+    /// A whole turn is a closed ellipse: so this draws dashed circles too.
+    ///
+    /// # Errors
+    /// As for [`stroke_path_fx`](Self::stroke_path_fx).
+    #[doc(alias("dashed_circle", "drawSmoothArc", "arc"))]
+    #[inline]
+    fn stroke_arc_fx<D: Dashing>(
+        &mut self,
+        centre: PointFx,
+        radii: [I24F8; 2],
+        sector: Sector,
+        stroke: &Stroke<D>,
+        table: &mut [EdgeSlot],
+        color: Self::Color,
+    ) -> Result<(), EdgeTableFull>
+    where
+        Self: Sized,
+    {
+        self.stroke_path_fx(arc::path(centre, radii, sector), stroke, table, color)
     }
 
     /// Fills the polygon whose corners are the centres of these pixels; its last corner is joined to the first. `table` is
@@ -710,6 +802,43 @@ pub trait Canvas: Surface {
         Self: Sized,
     {
         in_color(self, color, |window, brush| stroke::fill_polyline(places, closed, stroke, table, window, brush))
+    }
+
+    /// Draws lines with a width whose corners are pieces of circles of this radius: see [`corners`](crate::geom::corners). One pixel
+    /// wide they are `draw_path_fx(RoundCorners::new(places, closed, radius), color)`.
+    ///
+    /// # Errors
+    /// As for [`stroke_path_fx`](Self::stroke_path_fx).
+    #[inline]
+    fn stroke_round_polyline_fx<D: Dashing>(
+        &mut self,
+        places: &[PointFx],
+        closed: bool,
+        radius: I24F8,
+        stroke: &Stroke<D>,
+        table: &mut [EdgeSlot],
+        color: Self::Color,
+    ) -> Result<(), EdgeTableFull>
+    where
+        Self: Sized,
+    {
+        self.stroke_path_fx(RoundCorners::new(places, closed, radius), stroke, table, color)
+    }
+
+    /// Fills a polygon whose corners are pieces of circles of this radius: see [`corners`](crate::geom::corners).
+    ///
+    /// # Errors
+    /// As for [`fill_polygon`](Self::fill_polygon).
+    #[inline]
+    fn fill_round_polygon_fx(
+        &mut self,
+        contour: &[PointFx],
+        radius: I24F8,
+        rule: FillRule,
+        table: &mut [EdgeSlot],
+        color: Self::Color,
+    ) -> Result<(), EdgeTableFull> {
+        self.fill_path_fx(RoundCorners::new(contour, true, radius), rule, table, color)
     }
 
     /// Draws a line with a width: see [`stroke`](crate::raster::stroke) for which pixels.

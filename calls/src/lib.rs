@@ -215,12 +215,21 @@ calls! {
     fill_ring_fx => on.fill_ring_fx(a.ellipses[0], a.ellipses[1], c);
     fill_ring_sector => on.fill_ring_sector(a.areas[0], a.areas[1], a.sector, c);
     fill_ring_sector_fx => on.fill_ring_sector_fx(a.ellipses[0], a.ellipses[1], a.sector, c);
+    fill_gauge => on.fill_gauge(a.areas[0], a.areas[1], a.sector, c);
+    fill_gauge_fx => on.fill_gauge_fx(a.ellipses[0], a.ellipses[1], a.sector, c);
+    fill_chord => on.fill_chord(a.areas[0], a.sector, c);
+    fill_chord_fx => on.fill_chord_fx(a.ellipses[0], a.sector, c);
     draw_rounded => on.draw_rounded(a.areas[0], a.radii, c);
     fill_rounded => on.fill_rounded(a.areas[0], a.radii, c);
     fill_outlined_rounded => on.fill_outlined_rounded(a.areas[0], a.radii, c);
     stroke_rounded => on.stroke_rounded(a.areas[0], a.radii, a.numbers[1].unsigned_abs() % 64, a.align(), c);
     stroke_ellipse => on.stroke_ellipse(a.areas[0], a.numbers[1].unsigned_abs() % 64, a.align(), c);
     stroke_arc => on.stroke_arc(a.areas[0], a.sector, a.numbers[1].unsigned_abs() % 64, a.align(), c);
+    stroke_round_arc => on.stroke_round_arc(a.areas[0], a.sector, a.numbers[1].unsigned_abs() % 64, a.align(), c);
+    stroke_arc_fx => {
+        let stroke = a.stroke.dashed(a.dashes, a.phase);
+        on.stroke_arc_fx(a.places[0], [a.size, a.phase], a.sector, &stroke, a.table, c)
+    };
     fill_polygon => on.fill_polygon(a.corners, a.rule(), a.table, c);
     fill_polygon_fx => on.fill_polygon_fx(a.contour, a.rule(), a.table, c);
     fill_contours_fx => on.fill_contours_fx([a.contour, &a.places], a.rule(), a.table, c);
@@ -235,6 +244,10 @@ calls! {
     draw_cubic_fx => on.draw_cubic_fx(a.places, c);
     stroke_path_fx => on.stroke_path_fx(Path::new(a.segments), &a.stroke.dashed(a.dashes, a.phase), a.table, c);
     stroke_polyline_fx => on.stroke_polyline_fx(a.contour, a.flag, &a.stroke, a.table, c);
+    stroke_round_polyline_fx => {
+        on.stroke_round_polyline_fx(a.contour, a.flag, a.size, &a.stroke.dashed(a.dashes, a.phase), a.table, c)
+    };
+    fill_round_polygon_fx => on.fill_round_polygon_fx(a.contour, a.size, a.rule(), a.table, c);
     stroke_line_fx => on.stroke_line_fx([a.places[0], a.places[1]], &a.stroke, a.table, c);
     blit => on.blit(a.points[0], &a.picture);
     blit_keyed => on.blit_keyed(a.points[0], &a.picture, a.colors[1]);

@@ -1,8 +1,9 @@
 //! The list of what makes paths: texts, arcs, maps, and how they are filled and measured without a surface.
 
 use embedded_raster::{
-    geom::{Arc, Contours, Curves},
+    geom::{Arc, Contours, Curves, RoundCorners},
     raster::{
+        arc, chord, gauge,
         polygon::{self, drop_out},
         stroke,
     },
@@ -23,7 +24,7 @@ calls! {
         let [xx, xy, dx, yx, yy, dy] = a.numbers.map(I16F16::from_bits);
         let map = Affine { xx, xy, dx, yx, yy, dy };
         let rotation = embedded_raster::Angle::from_bits(dy.to_bits().cast_unsigned());
-        let arc = Arc { radii: [a.size, a.phase], rotation, is_large: a.flag, is_clockwise: xx.is_negative() };
+        let piece = Arc { radii: [a.size, a.phase], rotation, is_large: a.flag, is_clockwise: xx.is_negative() };
         let segments = a.segments;
     }
     [Affine]
@@ -39,12 +40,34 @@ calls! {
     next => map.path(segments).next().map(digest);
     [Arc]
     circle => digests(Arc::circle(a.size).between(p, q));
-    between => digests(arc.between(p, q));
+    between => digests(piece.between(p, q));
     [Curves]
     ellipse => digests(Curves::ellipse(p, [a.size, a.phase], rotation));
-    mapped => digests(arc.between(p, q).mapped(map));
-    step => arc.between(p, q).step().map(digest);
-    next => arc.between(p, q).next().map(digest);
+    arc => digests(Curves::arc(p, [a.size, a.phase], rotation, rotation.plus(dx.to_bits())));
+    mapped => digests(piece.between(p, q).mapped(map));
+    step => piece.between(p, q).step().map(digest);
+    next => piece.between(p, q).next().map(digest);
+    [RoundCorners]
+    new => digests(RoundCorners::new(a.contour, a.flag, a.size));
+    next => RoundCorners::new(a.contour, a.flag, a.size).next().map(digest);
+    [arc]
+    path => digests(arc::path(p, [a.size, a.phase], a.sector));
+    stroke => {
+        let (mut sum, stroke) = (0_usize, a.stroke.dashed(a.dashes, a.phase));
+        arc::stroke(p, [a.size, a.phase], a.sector, &stroke, a.table, window, add(&mut sum)).map(|()| sum)
+    };
+    [chord]
+    fill => {
+        let mut sum = 0_usize;
+        chord::fill(a.ellipses[0], a.sector, window, add(&mut sum));
+        sum
+    };
+    [gauge]
+    fill => {
+        let mut sum = 0_usize;
+        gauge::fill(a.ellipses[0], a.ellipses[1], a.sector, window, add(&mut sum));
+        sum
+    };
     [Path]
     svg => Path::svg(on).map(Svg::len);
     into_iter => digests(Path::new(segments));

@@ -51,8 +51,9 @@ use crate::num::{
 
 /// 1 as the square of a number in 2.30.
 const ONE: u64 = 1 << 60;
-/// A quarter of a turn.
+/// A quarter of a turn, and half of one.
 const QUARTER: u32 = 1 << 30;
+const HALF: u32 = 1 << 31;
 
 /// An arc of an ellipse from one place to another.
 ///
@@ -158,11 +159,8 @@ impl FineArc {
         };
         // As it is, N is for an arc that goes clockwise and is not large.
         let n = if self.is_clockwise { n } else { (n.0.wrapping_neg(), n.1.wrapping_neg()) };
-        let (half, cos_half) = if self.is_large {
-            (QUARTER.wrapping_mul(2).wrapping_sub(angle), cos_half.wrapping_neg())
-        } else {
-            (angle, cos_half)
-        };
+        let (half, cos_half) =
+            if self.is_large { (HALF.wrapping_sub(angle), cos_half.wrapping_neg()) } else { (angle, cos_half) };
         let middle = (from.0.wrapping_add(to.0), from.1.wrapping_add(to.1));
         let centre = (middle.0.wrapping_sub(times(n.0, cos_half)), middle.1.wrapping_sub(times(n.1, cos_half)));
         Curves { centre, t, n, half, ..line }.cut()
@@ -186,8 +184,10 @@ pub struct Curves {
     /// Where the last piece ended, and where the last one of all ends.
     at: Fine,
     end: Fine,
-    /// A move to its start comes first, and it is closed.
-    is_contour: bool,
+    /// A move to its start comes first.
+    has_move: bool,
+    /// It is closed.
+    closes: bool,
     map: Affine,
 }
 
@@ -203,7 +203,8 @@ impl Curves {
             handle: 0,
             at: (0, 0),
             end: (0, 0),
-            is_contour: false,
+            has_move: false,
+            closes: false,
             map,
         }
     }
@@ -230,8 +231,71 @@ impl Curves {
         let t = (times(ry, sin), times(ry, cos).wrapping_neg());
         let start = (in_range(x.wrapping_sub(nearest(n.0, 1))), in_range(y.wrapping_sub(nearest(n.1, 1))));
         let centre = (x.wrapping_mul(2), y.wrapping_mul(2));
-        let half = QUARTER.wrapping_mul(2);
-        Self { centre, t, n, half, at: start, end: start, is_contour: true, ..Self::nothing(Affine::IDENTITY) }.cut()
+        let half = HALF;
+        let nothing = Self::nothing(Affine::IDENTITY);
+        Self { centre, t, n, half, at: start, end: start, has_move: true, closes: true, ..nothing }.cut()
+    }
+
+    /// The part of an ellipse with axes along x and y that lies between two directions, as seen from its centre: an open contour, which
+    /// goes clockwise from `start` to `end`. From an angle to itself there is nothing, and of an ellipse with a radius of 0 neither.
+    /// Radii count without their signs.
+    ///
+    /// The ends are off by `2^-30` of the radius, and by that times the square of the ratio of both radii. Arcs that follow each other
+    /// meet.
+    /// ```
+    /// use embedded_raster::{geom::Curves, px, Angle, PathSegment::*, PointFx};
+    /// let quarter = Curves::arc(PointFx::px(20, 10), [px(8), px(4)], Angle::degrees(180), Angle::degrees(270));
+    /// let segments: Vec<_> = quarter.collect();
+    /// assert_eq!(segments[0], MoveTo(PointFx::px(12, 10)));
+    /// assert!(matches!(segments[1..], [CubicTo(_, _, end)] if end == PointFx::px(20, 6)));
+    /// ```
+    pub const fn arc(centre: PointFx, radii: [I24F8; 2], start: Angle, end: Angle) -> Self {
+        Self::between_directions(centre, radii, [start, end], false)
+    }
+
+    /// An [arc](Self::arc), or the whole ellipse from the first direction on, which is closed.
+    pub(crate) const fn between_directions(
+        centre: PointFx,
+        [rx, ry]: [I24F8; 2],
+        [start, end]: [Angle; 2],
+        is_whole: bool,
+    ) -> Self {
+        let nothing = Self::nothing(Affine::IDENTITY);
+        let (rx, ry) = (rx.to_bits().unsigned_abs(), ry.to_bits().unsigned_abs());
+        let turn = start.clockwise_to(end);
+        if rx == 0 || ry == 0 || turn == 0 && !is_whole {
+            return nothing;
+        }
+        let [a, b] = [on_ellipse([rx, ry], start.cos_sin()), on_ellipse([rx, ry], end.cos_sin())];
+        let [from, to] = if rx == ry { [start, end] } else { [full_angle(a), full_angle(b)] };
+        // Directions that are nearly the same may meet the ellipse in one place, or in one before the other.
+        let length = from.clockwise_to(to);
+        let half = if is_whole || turn > HALF && length < QUARTER {
+            HALF
+        } else if turn < HALF && length > QUARTER.wrapping_mul(3) {
+            return nothing;
+        } else {
+            (length >> 1).wrapping_add(length & 1)
+        };
+        if half == 0 {
+            return nothing;
+        }
+        let (x, y) = fine_place(centre);
+        let (rx, ry) = ((rx as i64) << 8, (ry as i64) << 8);
+        // Twice the radii.
+        let (cos, sin) = from.plus(signed(half)).cos_sin();
+        let n = (times(rx.wrapping_mul(2), cos), times(ry.wrapping_mul(2), sin));
+        let t = (times(rx.wrapping_mul(2), sin).wrapping_neg(), times(ry.wrapping_mul(2), cos));
+        let at = (in_range(x.wrapping_add(times(rx, a.0))), in_range(y.wrapping_add(times(ry, a.1))));
+        let end = (in_range(x.wrapping_add(times(rx, b.0))), in_range(y.wrapping_add(times(ry, b.1))));
+        let centre = (x.wrapping_mul(2), y.wrapping_mul(2));
+        let end = if is_whole { at } else { end };
+        Self { centre, t, n, half, at, end, has_move: true, closes: is_whole, ..nothing }.cut()
+    }
+
+    /// Around a corner: a piece of a circle. Twice its centre, T and N, half of its angle, and its ends.
+    pub(super) const fn around(centre: Fine, [t, n]: [Fine; 2], half: u32, [at, end]: [Fine; 2]) -> Self {
+        Self { centre, t, n, half, at, end, ..Self::nothing(Affine::IDENTITY) }.cut()
     }
 
     /// The same, mapped. Pieces are as many as the mapped ellipse needs, and places are rounded after the map only.
@@ -266,15 +330,15 @@ impl Curves {
 
     /// The next segment; `None` at the end. [`next`](Iterator::next) does the same, but not when a program is compiled.
     pub const fn step(&mut self) -> Option<PathSegment> {
-        if self.is_contour && self.done == 0 {
+        if self.has_move && self.done == 0 {
             // The move counts as a piece, and so does the way back.
             self.done = 1;
             return Some(PathSegment::MoveTo(self.map.apply_fine(self.at)));
         }
-        let moves = self.is_contour as u32;
+        let moves = self.has_move as u32;
         let piece = self.done.wrapping_sub(moves);
         if piece >= self.count {
-            if self.is_contour && piece == self.count {
+            if self.closes && piece == self.count {
                 self.done = self.done.wrapping_add(1);
                 return Some(PathSegment::Close);
             }
@@ -350,12 +414,12 @@ const fn radius(n: u64, up: i32) -> Option<NonZeroU32> {
 }
 
 /// `n factor / 2^shift`, rounded to nearest. The caller knows that it has 31 bits.
-const fn part(n: i32, factor: u32, shift: u32) -> i32 {
+pub(super) const fn part(n: i32, factor: u32, shift: u32) -> i32 {
     narrow(nearest((n as i64).wrapping_mul(factor as i64), shift))
 }
 
 /// `n factor / 2^30`, rounded to nearest, for n up to `2^45`: the upper and the lower part of n, one by one.
-const fn times(n: i64, factor: i32) -> i64 {
+pub(super) const fn times(n: i64, factor: i32) -> i64 {
     let size = n.unsigned_abs();
     let by = factor.unsigned_abs() as u64;
     let low = (size & 0xffff).wrapping_mul(by);
@@ -387,7 +451,7 @@ const fn lifted((x, y): (i32, i32), up: i32) -> Fine {
 }
 
 /// `n factor / d`, rounded to nearest, halves away from 0.
-const fn ratio(n: i32, factor: u32, d: NonZeroU32) -> i64 {
+pub(super) const fn ratio(n: i32, factor: u32, d: NonZeroU32) -> i64 {
     let size = (n.unsigned_abs() as u64).wrapping_mul(factor as u64);
     // Two steps of long division.
     let divisor = Divisor::new(d);
@@ -406,7 +470,7 @@ const fn share(angle: u32, n: u32, d: u32) -> u32 {
 }
 
 /// The square root of a number up to `2^60`, at most 1 off.
-const fn root(n: u64) -> i32 {
+pub(super) const fn root(n: u64) -> i32 {
     if n == 0 {
         return 0;
     }
@@ -417,11 +481,37 @@ const fn root(n: u64) -> i32 {
     signed(low_u32(root.wrapping_add(1) >> 1))
 }
 
+/// Where a ray in a direction, given as a vector in 2.30, meets an ellipse with axes along x and y: the place divided by the radii, a
+/// place on the circle of radius 1, in 2.30. Both radii may be in any unit, and neither is 0.
+pub(crate) const fn on_ellipse([rx, ry]: [u32; 2], direction: (i32, i32)) -> (i32, i32) {
+    let most = match NonZeroU32::new(if rx > ry { rx } else { ry }) {
+        Some(most) if rx != ry && direction.0 != 0 && direction.1 != 0 => most,
+        _ => return direction,
+    };
+    // The place (s cos, s sin) is on it where ((s cos / rx), (s sin / ry)) has the length 1.
+    let x = narrow(ratio(direction.0, ry, most));
+    let y = narrow(ratio(direction.1, rx, most));
+    let square = Sum::ZERO.plus(x, x).plus(y, y).of_squares();
+    if square == 0 {
+        return direction;
+    }
+    let (inverse, shift) = inverse_root_wide(square);
+    let down = 32_u32.wrapping_sub(shift >> 1);
+    (part(x, inverse, down), part(y, inverse, down))
+}
+
+/// The angle of a vector of length 1 in 2.30.
+const fn full_angle((cos, sin): (i32, i32)) -> Angle {
+    let angle = angle_of(cos.abs(), sin.abs());
+    let angle = if cos < 0 { HALF.wrapping_sub(angle) } else { angle };
+    Angle::from_bits(if sin < 0 { angle.wrapping_neg() } else { angle })
+}
+
 /// The angle whose cosine and sine, neither of them negative, are given in 2.30.
 ///
 /// By Newton's method, from the sine on: an angle that is e off has the sine of e as its cross product with what is looked for,
 /// and is e^3 / 6 off when that is added. The sine is off by 0.57 at most; then come 0.031, 5e-6 and nothing.
-const fn angle_of(cos: i32, sin: i32) -> u32 {
+pub(super) const fn angle_of(cos: i32, sin: i32) -> u32 {
     /// A unit of 2.30 radians in units of `2^-32` turns, times `2^32`.
     const UNIT: i64 = 2_734_261_102;
     let (mut angle, mut error, mut round) = (0_u32, sin, 0);

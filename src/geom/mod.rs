@@ -15,6 +15,7 @@
 pub mod affine;
 pub mod arc;
 pub mod clip;
+pub mod corners;
 pub mod delaunay;
 pub mod exact;
 pub mod facet;
@@ -37,7 +38,9 @@ mod viewport;
 
 pub use affine::Affine;
 pub use angle::Angle;
+pub(crate) use arc::on_ellipse;
 pub use arc::{Arc, Curves};
+pub use corners::RoundCorners;
 pub use facet::{Barycentric, Facet};
 pub use flatten::{Contours, Segments};
 pub use mix::{At, Mix};

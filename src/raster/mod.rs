@@ -38,4 +38,4 @@ mod sum;
 #[cfg(test)]
 mod work;
 
-pub use self::round::{arc, ellipse, rounded};
+pub use self::round::{arc, chord, ellipse, gauge, rounded};

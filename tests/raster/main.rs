@@ -16,3 +16,4 @@ mod soft_shapes;
 mod stroke;
 mod triangle;
 mod true_area;
+mod widths;

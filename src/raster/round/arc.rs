@@ -34,7 +34,7 @@
 //!
 //! Range: any ellipse, any angles.
 
-use fixed::types::I16F16;
+use fixed::types::{I16F16, I24F8};
 
 use super::{
     curve::{Curve, Ellipse},
@@ -42,8 +42,13 @@ use super::{
     form::AnyRows,
 };
 use crate::{
-    geom::Angle,
+    error::EdgeTableFull,
+    geom::{Angle, Curves, PointFx},
     num::cast::{signed, unsigned},
+    raster::{
+        polygon::EdgeSlot,
+        stroke::{self, Dashing, Stroke},
+    },
     span::{ClippedSpan, Rect, Sink, Span},
 };
 
@@ -51,6 +56,9 @@ use crate::{
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sector {
+    start: Angle,
+    end: Angle,
+    /// Their directions.
     from: (i32, i32),
     to: (i32, i32),
     extent: Extent,
@@ -82,7 +90,7 @@ impl Sector {
             1..=0x8000_0000 => Extent::Narrow,
             _ => Extent::Wide,
         };
-        Self { from: start.cos_sin(), to: end.cos_sin(), extent }
+        Self { start, end, from: start.cos_sin(), to: end.cos_sin(), extent }
     }
 
     /// From `start` on, so many degrees clockwise, or the other way if negative. A full turn and more is everything.
@@ -132,6 +140,16 @@ impl Sector {
         } else {
             Self { extent: Extent::Everything, ..sector }
         }
+    }
+
+    /// The directions of its rays, if it has two.
+    pub(super) fn rays(&self) -> Option<[(i32, i32); 2]> {
+        matches!(self.extent, Extent::Narrow | Extent::Wide).then_some([self.from, self.to])
+    }
+
+    /// Whether it has more than half a turn.
+    pub(super) fn is_wide(&self) -> bool {
+        matches!(self.extent, Extent::Wide | Extent::Everything)
     }
 
     /// Whether a place lies in it, as seen from the centre, for distances below `2^32`.
@@ -214,6 +232,49 @@ pub fn ring(outer: Ellipse, inner: Ellipse, window: Rect, mut sink: impl Sink) {
 pub fn ring_sector(outer: Ellipse, inner: Ellipse, sector: Sector, window: Rect, mut sink: impl Sink) {
     let curve = outer.curve();
     ring(outer, inner, window, |span: ClippedSpan| split(&curve, &sector, span, &mut sink));
+}
+
+/// The arc of an ellipse that lies in a sector, by its centre and radii, as segments of a path: a curve of no width, which begins at the
+/// first ray. Of a whole turn it is the closed ellipse. This is what [`stroke`] draws with a width, and
+/// [`coverage::stroke`](crate::raster::coverage::stroke) with soft rims.
+pub fn path(centre: PointFx, radii: [I24F8; 2], sector: Sector) -> Curves {
+    let angles = match sector.extent {
+        Extent::Nothing => [sector.start; 2],
+        _ => [sector.start, sector.end],
+    };
+    Curves::between_directions(centre, radii, angles, sector.extent == Extent::Everything)
+}
+
+/// Emits the spans of the arc of an ellipse that lies in a sector, with a width, caps and dashes, top row first: the stroke of the
+/// curve itself, which is half on either side of it. Dashes begin at the first ray; caps stand at right angles to the curve. Of a
+/// whole turn, both ends are joined.
+///
+/// For a gauge whose width is in whole pixels, [`ring_sector`] and [`gauge::fill`](super::gauge::fill) need no table.
+///
+/// # Errors
+/// As for [`stroke::fill`](crate::raster::stroke::fill).
+/// ```
+/// use embedded_raster::{px, raster::arc, Angle, Cap, ClippedSpan, EdgeSlot, PointFx, Rect, Sector, Stroke};
+/// let half = Sector::new(Angle::degrees(180), Angle::degrees(0));
+/// let (mut table, mut rows) = ([EdgeSlot::EMPTY; 32], vec![]);
+/// let window = Rect::new(0, 0, 14, 9);
+/// let stroke = Stroke::px(2).with_cap(Cap::Square);
+/// arc::stroke(PointFx::px(7, 7), [px(6); 2], half, &stroke, &mut table, window, |s: ClippedSpan| rows.push((s.y(), s.x0(), s.x1())))?;
+/// assert_eq!(rows[0], (0, 5, 9)); // the top
+/// assert_eq!(rows[rows.len() - 2..], [(7, 0, 2), (7, 12, 14)]); // the caps, a row below the centre
+/// # Ok::<(), embedded_raster::Error>(())
+/// ```
+#[inline]
+pub fn stroke<D: Dashing>(
+    centre: PointFx,
+    radii: [I24F8; 2],
+    sector: Sector,
+    stroke: &Stroke<D>,
+    table: &mut [EdgeSlot],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    stroke::fill(path(centre, radii, sector), stroke, table, window, sink)
 }
 
 /// Emits the parts of a span that lie in a sector: two at most.

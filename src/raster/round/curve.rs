@@ -4,7 +4,7 @@ use fixed::types::I24F8;
 
 use crate::{
     geom::{bits, PointFx},
-    num::cast::saturate,
+    num::cast::{saturate, signed_wide},
     span::Rect,
 };
 
@@ -78,7 +78,7 @@ impl Ellipse {
         Self::scaled((i64::from(x) * 2, i64::from(y) * 2), (radius, radius), 9)
     }
 
-    /// By numbers below 2^33, in units of `2^-shift` pixels.
+    /// By numbers below 2^45, in units of `2^-shift` pixels.
     #[inline]
     fn scaled(centre: (i64, i64), radii: (i64, i64), shift: u32) -> Self {
         let pixel = |place: i64| first_pixel_from(place, shift);
@@ -92,6 +92,12 @@ impl Ellipse {
             Rect::new(pixel(low(x, radii.0)), pixel(low(y, radii.1)), pixel(high(x, radii.0)), pixel(high(y, radii.1)))
         };
         Self { extent, curve: Some(Curve { centre, radii, shift, closed }) }
+    }
+
+    /// A circle by its centre and radius, in units of `2^-shift` pixels, below 2^45.
+    pub(super) fn round(centre: (i64, i64), radius: u64, shift: u32) -> Self {
+        let radius = signed_wide(radius);
+        Self::scaled(centre, (radius, radius), shift)
     }
 
     /// Its curve. That of an ellipse in a box is made of the box.
