@@ -9,6 +9,7 @@ use super::{
     frame::Frame,
     layout::Layout,
     rows::Rows,
+    strip::Strip,
     traits::{copy_by_pixels, Inside, Readable, Said, Surface},
 };
 use crate::{
@@ -148,6 +149,14 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
             let (memory, grid) = self.write();
             L::fill_mask(memory, grid, y, columns, || bits.next(), (on, off));
         });
+    }
+
+    #[inline]
+    fn fill_strip(&mut self, strip: Strip<'_>, on: L::Color, off: Option<L::Color>) {
+        let ((x, y), (rows, columns)) = (strip.first(), strip.bytes());
+        let place = self.place(x, y);
+        let (memory, grid) = self.write();
+        L::fill_strip(memory, grid, place, (rows, columns), (on, off));
     }
 }
 

@@ -281,4 +281,23 @@ pub trait Layout: 'static {
         let mut is_set = mask::one_by_one(bits);
         Self::write_some(memory, grid, y, columns, || if is_set() { Some(on) } else { off });
     }
+    /// Writes up to eight columns of a picture of one bit per pixel, the top left pixel at `at`. A set bit becomes `on`. Any other
+    /// becomes `off`, or leaves the pixel as it is if `off` is `None`.
+    ///
+    /// `rows` has a byte for each row, from the top down, the leftmost pixel in its most significant bit. Of each, `skip` pixels are
+    /// left out and `width`, at least one, are wanted. All glyphs are written by this function.
+    #[inline]
+    fn fill_strip(
+        memory: &mut [u8],
+        grid: Grid,
+        (x, mut y): Place,
+        (rows, (skip, width)): (&[u8], (u32, u32)),
+        colors: (Self::Color, Option<Self::Color>),
+    ) {
+        for &byte in rows {
+            let bits = u32::from(byte).wrapping_shl(skip.wrapping_add(24));
+            Self::fill_mask(memory, grid, y, (x, x.wrapping_add(width as usize)), || bits, colors);
+            y = y.wrapping_add(1);
+        }
+    }
 }

@@ -19,6 +19,7 @@ mod pages;
 mod planes;
 mod recorder;
 mod rows;
+mod strip;
 pub mod texture;
 mod traits;
 
@@ -34,6 +35,7 @@ pub use self::{
     planes::Planes,
     recorder::Recorder,
     rows::{Bitmap, Framebuffer, Rows},
+    strip::Strip,
     texture::Texture,
     traits::{Readable, Surface},
 };

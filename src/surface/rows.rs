@@ -11,7 +11,7 @@ use crate::{
         rows::{
             self,
             mask::{self, Bits},
-            scan, walk,
+            scan, strip, walk,
         },
         PixelFormat,
     },
@@ -255,6 +255,17 @@ impl<F: PixelFormat> Layout for Rows<F> {
         (on, off): (F::Color, Option<F::Color>),
     ) {
         mask::draw::<F>(memory, start(grid, y), columns, bits, (F::pack(on), off.map(F::pack)));
+    }
+
+    #[inline]
+    fn fill_strip(
+        memory: &mut [u8],
+        grid: Grid,
+        (x, y): Place,
+        rows: (&[u8], (u32, u32)),
+        (on, off): (F::Color, Option<F::Color>),
+    ) {
+        strip::draw::<F>(memory, (start(grid, y), grid.stride), x, rows, (F::pack(on), off.map(F::pack)));
     }
 }
 

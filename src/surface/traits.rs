@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
 
-use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows};
+use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows, strip::Strip};
 use crate::{
     pixel::{rows::mask::one_by_one, PixelFormat},
     span::{ClippedSpan, Octants, Rect, Span, Steps},
@@ -174,6 +174,17 @@ pub trait Surface {
             let mut bits = mask.bits(from_x, from_y);
             let mut is_set = one_by_one(|| bits.next());
             self.write_inside(Inside(Said::Span(span)), |_| if is_set() { Some(on) } else { off });
+        });
+    }
+
+    /// Paints a piece of a glyph, which lies in the window: see [`text`](crate::text). A set bit in the colour `on`, any other in
+    /// the colour `off`, or not at all if `off` is `None`. By default, run by run.
+    #[doc(hidden)]
+    fn fill_strip(&mut self, strip: Strip<'_>, on: Self::Color, off: Option<Self::Color>) {
+        strip.runs(|span, is_set| {
+            if let Some(color) = if is_set { Some(on) } else { off } {
+                self.fill_span(span, color);
+            }
         });
     }
 }

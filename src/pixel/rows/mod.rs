@@ -1,13 +1,15 @@
 //! Rows of pixels in memory: runs, lines, circles and pictures as bytes.
 //!
 //! `packed` knows bytes that hold several pixels, `word` pixels that take whole bytes; here one of the two is chosen. `walk`
-//! writes lines and circles, `scan` looks for pixels along a row, and `mask` paints pictures of one bit in two colours.
+//! writes lines and circles, `scan` looks for pixels along a row, `mask` paints pictures of one bit in two
+//! colours, and `strip` the glyphs of text.
 //!
 //! A place is given by the first byte of its row and the number of its pixel there.
 
 pub(crate) mod mask;
 pub(crate) mod packed;
 pub(crate) mod scan;
+pub(crate) mod strip;
 pub(crate) mod walk;
 mod word;
 

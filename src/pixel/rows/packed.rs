@@ -249,6 +249,58 @@ fn each_byte<F: PixelFormat>(
     }
 }
 
+/// Writes a strip of up to eight pixels in each of some rows: see [`strip`](super::strip). `skip` pixels of each byte are left out,
+/// and those of `wanted`, from the left, are painted.
+#[inline(always)]
+pub(super) fn draw_strip<F: PixelFormat>(
+    memory: &mut [u8],
+    (row, stride): (usize, usize),
+    x: usize,
+    (strip, (skip, wanted)): (&[u8], (u32, u8)),
+    (on, off): (u32, Option<u32>),
+) {
+    let (on, ground) = (repeat::<F>(on), repeat::<F>(off.unwrap_or(on)));
+    // Eight pixels of the strip as they lie in the bytes of a row: the pixels of the first byte on top, down from bit 15.
+    let before = x & last_in_byte::<F>();
+    let placed = |bits: u8| u32::from(bits) << 8 >> before;
+    let always = if off.is_some() { placed(wanted) } else { 0 };
+    let len =
+        before.wrapping_add(wanted.leading_ones() as usize).wrapping_add(last_in_byte::<F>()) >> byte_shift::<F>();
+    let mut start = row.wrapping_add(x >> byte_shift::<F>());
+    for bits in strip {
+        let (mut set, mut painted) = (placed(low_u8(u32::from(*bits) << skip) & wanted), always);
+        painted |= set;
+        for place in memory.get_mut(start..start.wrapping_add(len)).unwrap_or_default() {
+            let (ink, mask) = (spread::<F>(set), spread::<F>(painted));
+            *place = merge(*place, merge(ground, on, ink), mask);
+            (set, painted) = (set << (8 / F::BITS), painted << (8 / F::BITS));
+        }
+        start = start.wrapping_add(stride);
+    }
+}
+
+/// The bits of the pixels of a byte that are set in a mask: that of the leftmost pixel is its bit 15.
+#[inline(always)]
+fn spread<F: PixelFormat>(mask: u32) -> u8 {
+    let bits = low_u8(mask >> 8);
+    let full = match F::BITS {
+        1 => bits,
+        2 => {
+            // abcd.... as aabbccdd
+            let pairs = bits & 0xc0 | bits >> 2 & 0x0c;
+            let apart = pairs & 0x88 | pairs >> 1 & 0x22;
+            apart | apart >> 1
+        }
+        // ab...... as aaaabbbb
+        _ => (bits >> 7).wrapping_neg() & 0xf0 | (bits >> 6 & 1).wrapping_neg() & 0x0f,
+    };
+    if F::LSB0 {
+        full.reverse_bits()
+    } else {
+        full
+    }
+}
+
 /// Copies pixels.
 #[inline(always)]
 pub(super) fn copy<F: PixelFormat>(
