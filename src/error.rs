@@ -4,7 +4,8 @@
 //! ([`BufferError`]), a scratch table too small for a row of a polygon ([`EdgeTableFull`]), a polygon that cannot be
 //! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
 //! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), a picture
-//! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]).
+//! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]), bytes that
+//! are no font ([`FontError`]).
 //! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
@@ -198,6 +199,54 @@ pub struct PictureTooLarge {
     pub most: u16,
 }
 
+/// Why bytes are not a [`Font`](crate::text::Font).
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum FontError {
+    /// There are fewer bytes than the font has. Both are counts of bytes.
+    TooShort {
+        /// What the font takes, as far as was read.
+        needed: usize,
+        /// What there is.
+        given: usize,
+    },
+    /// The bytes do not begin as those of a font, or as those of a kind of font that this version does not know.
+    Unknown {
+        /// The first four bytes: `erf1` in fonts.
+        start: [u8; 4],
+        /// The kind: 0 or 1.
+        kind: u8,
+    },
+    /// A range of characters, or the replacement glyph, names a glyph that the font does not have.
+    NoGlyph {
+        /// Its number, counted from 0.
+        number: u32,
+        /// How many there are.
+        glyphs: u16,
+    },
+    /// A range of characters begins before the end of the one before it, or ends beyond the last character.
+    RangeOutOfOrder {
+        /// Its number, counted from 0.
+        range: u32,
+        /// Its first character.
+        first: u32,
+        /// The first character after the range before.
+        free: u32,
+    },
+    /// A glyph, or the baseline, lies below the last row of the cells.
+    OutsideCell {
+        /// The number of the glyph, counted from 0.
+        glyph: u32,
+        /// The row after its last one.
+        end: u16,
+        /// Rows down to the baseline.
+        baseline: u8,
+        /// Rows of a cell.
+        rows: u8,
+    },
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -219,6 +268,8 @@ pub enum Error {
     Svg(SvgError),
     /// A picture is too large for the pipeline.
     Picture(PictureTooLarge),
+    /// Bytes are not a font.
+    Font(FontError),
 }
 
 impl fmt::Display for BufferError {
@@ -316,6 +367,24 @@ impl fmt::Display for PictureTooLarge {
     }
 }
 
+impl fmt::Display for FontError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::TooShort { needed, given } => write!(f, "font too short: {needed} bytes needed, {given} given"),
+            Self::Unknown { start, kind } => {
+                write!(f, "not a font of this version: it begins with {start:02x?}, and is of kind {kind}")
+            }
+            Self::NoGlyph { number, glyphs } => write!(f, "glyph {number} is named, the font has {glyphs}"),
+            Self::RangeOutOfOrder { range, first, free } => {
+                write!(f, "range {range} begins with character {first}, the first one free is {free}")
+            }
+            Self::OutsideCell { glyph, end, baseline, rows } => {
+                write!(f, "glyph {glyph} ends in row {end}, baseline {baseline}, of cells of {rows} rows")
+            }
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -327,6 +396,7 @@ impl fmt::Display for Error {
             Self::Triangle(error) => error.fmt(f),
             Self::Svg(error) => error.fmt(f),
             Self::Picture(error) => error.fmt(f),
+            Self::Font(error) => error.fmt(f),
         }
     }
 }
@@ -339,6 +409,7 @@ impl core::error::Error for CrossingListFull {}
 impl core::error::Error for TriangleTooLarge {}
 impl core::error::Error for SvgError {}
 impl core::error::Error for PictureTooLarge {}
+impl core::error::Error for FontError {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -386,5 +457,11 @@ impl From<SvgError> for Error {
 impl From<PictureTooLarge> for Error {
     fn from(error: PictureTooLarge) -> Self {
         Self::Picture(error)
+    }
+}
+
+impl From<FontError> for Error {
+    fn from(error: FontError) -> Self {
+        Self::Font(error)
     }
 }

@@ -17,12 +17,13 @@ pub mod present;
 pub mod raster;
 mod span;
 pub mod surface;
+pub mod text;
 mod tune;
 
 pub use canvas::{Antialias, Canvas};
 pub use error::{
-    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, PictureTooLarge, SvgError, SvgExpected,
-    TriangleTooLarge, TriangulateError,
+    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, FontError, PictureTooLarge, SvgError,
+    SvgExpected, TriangleTooLarge, TriangulateError,
 };
 pub use geom::{
     fill_rule::FillRule,

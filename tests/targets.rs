@@ -3,7 +3,7 @@
 
 use twins::{
     rng::{cases, Rng},
-    targets,
+    targets, texts,
 };
 
 fn run(seed: u64, most: i64, target: fn(&[u8])) {
@@ -27,4 +27,9 @@ fn the_pipeline() {
 #[test]
 fn textures() {
     run(3, 90, targets::texture);
+}
+
+#[test]
+fn text() {
+    run(4, 200, texts::target);
 }

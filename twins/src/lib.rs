@@ -41,6 +41,7 @@ pub mod sequences;
 mod shapes;
 pub mod strokes;
 pub mod targets;
+pub mod texts;
 pub mod textures;
 pub mod tools;
 pub mod watched;
