@@ -3,13 +3,14 @@
 mod antialias;
 mod flood;
 mod ink;
+mod pictures;
 
 use core::{borrow::Borrow, iter::once};
 
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I24F8;
 
-pub use self::antialias::Antialias;
+pub use self::{antialias::Antialias, pictures::Pictures};
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},

@@ -6,7 +6,11 @@
 //! * [`Recolored`] is a `DrawTarget` that translates colours on their way to another one, so that an RGB image can be drawn into
 //!   an indexed framebuffer.
 
-use core::{convert::Infallible, iter::FusedIterator, marker::PhantomData};
+use core::{
+    convert::Infallible,
+    iter::{repeat, FusedIterator},
+    marker::PhantomData,
+};
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
@@ -330,5 +334,82 @@ where
 
     fn clear(&mut self, color: C) -> Result<(), D::Error> {
         self.target.clear((self.convert)(color))
+    }
+}
+
+/// A `DrawTarget` of colours `C` that draws on a target of other colours, and knows where: see [`recolored_at`].
+#[derive(Debug)]
+pub struct RecoloredAt<'a, D, C, M> {
+    target: &'a mut D,
+    convert: M,
+    color: PhantomData<C>,
+}
+
+/// [`recolored`], for what depends on the place of a pixel, or on the pixels before it: dither. `convert` is asked for every pixel of an
+/// image in the order in which it is drawn, from left to right and from top to bottom, seen or not.
+/// ```
+/// use embedded_graphics::{pixelcolor::{Gray8, Gray4}, prelude::*, primitives::Rectangle};
+/// use embedded_raster::{eg::recolored_at, paint::Bayer, Framebuffer};
+/// let mut ram = [0; 2];
+/// let mut frame = Framebuffer::<Gray4>::new(&mut ram, 2, 2).unwrap();
+/// let mut dithered = recolored_at(&mut frame, |at, grey: Gray8| Gray4::new(Bayer::<2>::shade(grey.luma(), 15, at)));
+/// // Half way between two shades.
+/// dithered.fill_contiguous(&Rectangle::new(Point::zero(), Size::new(2, 2)), [Gray8::new(25); 4]).unwrap();
+/// assert_eq!(ram, [0x12, 0x21]);
+/// ```
+pub fn recolored_at<D, C, M>(target: &mut D, convert: M) -> RecoloredAt<'_, D, C, M>
+where
+    D: DrawTarget,
+    C: PixelColor,
+    M: FnMut(Point, C) -> D::Color,
+{
+    RecoloredAt { target, convert, color: PhantomData }
+}
+
+impl<D: Dimensions, C, M> Dimensions for RecoloredAt<'_, D, C, M> {
+    fn bounding_box(&self) -> Rectangle {
+        self.target.bounding_box()
+    }
+}
+
+impl<D, C, M> DrawTarget for RecoloredAt<'_, D, C, M>
+where
+    D: DrawTarget,
+    C: PixelColor,
+    M: FnMut(Point, C) -> D::Color,
+{
+    type Color = C;
+    type Error = D::Error;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), D::Error>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        let convert = &mut self.convert;
+        self.target.draw_iter(pixels.into_iter().map(|Pixel(p, color)| Pixel(p, convert(p, color))))
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), D::Error>
+    where
+        I: IntoIterator<Item = C>,
+    {
+        let convert = &mut self.convert;
+        let (Point { x, mut y }, width) = (area.top_left, area.size.width);
+        let mut column = 0_u32;
+        let colors = colors.into_iter().map(|color| {
+            let at = Point::new(x.wrapping_add_unsigned(column), y);
+            column = column.wrapping_add(1);
+            if column >= width {
+                (column, y) = (0, y.wrapping_add(1));
+            }
+            convert(at, color)
+        });
+        self.target.fill_contiguous(area, colors)
+    }
+
+    /// Pixels that are not seen are left out: they have one colour.
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), D::Error> {
+        let seen = Rect::from(*area).intersection(self.bounding_box().into());
+        self.fill_contiguous(&seen.into(), repeat(color))
     }
 }

@@ -5,7 +5,7 @@
 //! cut into triangles ([`TriangulateError`]), a list too short for the vertices of a path ([`FlattenError`]) or for the
 //! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), a picture
 //! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]), bytes that
-//! are no font ([`FontError`]).
+//! are no font ([`FontError`]), a map that draws a picture too large ([`MapTooLarge`]).
 //! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
@@ -247,6 +247,16 @@ pub enum FontError {
     },
 }
 
+/// A map draws a picture larger than [`mapped::fill`](crate::raster::mapped::fill) does.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MapTooLarge {
+    /// The first such factor, rounded down.
+    pub factor: i32,
+    /// Factors are between this and its negative.
+    pub limit: i32,
+}
+
 /// Any error of the crate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -270,6 +280,8 @@ pub enum Error {
     Picture(PictureTooLarge),
     /// Bytes are not a font.
     Font(FontError),
+    /// A map draws a picture too large.
+    Map(MapTooLarge),
 }
 
 impl fmt::Display for BufferError {
@@ -385,6 +397,13 @@ impl fmt::Display for FontError {
     }
 }
 
+impl fmt::Display for MapTooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { factor, limit } = *self;
+        write!(f, "map too large: a factor of {factor}, pictures are drawn by less than {limit} times as large")
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -397,6 +416,7 @@ impl fmt::Display for Error {
             Self::Svg(error) => error.fmt(f),
             Self::Picture(error) => error.fmt(f),
             Self::Font(error) => error.fmt(f),
+            Self::Map(error) => error.fmt(f),
         }
     }
 }
@@ -410,6 +430,7 @@ impl core::error::Error for TriangleTooLarge {}
 impl core::error::Error for SvgError {}
 impl core::error::Error for PictureTooLarge {}
 impl core::error::Error for FontError {}
+impl core::error::Error for MapTooLarge {}
 impl core::error::Error for Error {}
 
 impl From<BufferError> for Error {
@@ -463,5 +484,11 @@ impl From<PictureTooLarge> for Error {
 impl From<FontError> for Error {
     fn from(error: FontError) -> Self {
         Self::Font(error)
+    }
+}
+
+impl From<MapTooLarge> for Error {
+    fn from(error: MapTooLarge) -> Self {
+        Self::Map(error)
     }
 }

@@ -20,10 +20,10 @@ pub mod surface;
 pub mod text;
 mod tune;
 
-pub use canvas::{Antialias, Canvas};
+pub use canvas::{Antialias, Canvas, Pictures};
 pub use error::{
-    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, FontError, PictureTooLarge, SvgError,
-    SvgExpected, TriangleTooLarge, TriangulateError,
+    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, FontError, MapTooLarge, PictureTooLarge,
+    SvgError, SvgExpected, TriangleTooLarge, TriangulateError,
 };
 pub use geom::{
     fill_rule::FillRule,

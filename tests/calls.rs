@@ -21,6 +21,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("AddressMode", "the same"),
     ("Index", "`assemble` calls it"),
     ("Texture::clone", "a copy"),
+    ("Sheet::clone", "a copy"),
     ("$vector", "operators of vectors: `Vec3::new`, `Vec4::new` and those beside them are listed with them"),
     ("PixelFormat", "every call on a frame packs and unpacks"),
     ("Surface::window", "every call asks for it"),

@@ -106,7 +106,12 @@ fn calls_write_and_read_what_the_window_shows() {
     let idle: Vec<_> = (0..COUNT).filter(|&number| most[number] == 0).map(name).collect();
     assert_eq!(
         idle,
-        ["SurfaceTarget::bounding_box", "Recolored::bounding_box", "Readable::fill_corridor"],
+        [
+            "RecoloredAt::bounding_box",
+            "SurfaceTarget::bounding_box",
+            "Recolored::bounding_box",
+            "Readable::fill_corridor"
+        ],
         "questions, and a shortcut that a surface need not have; no others"
     );
 }

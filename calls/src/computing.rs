@@ -8,16 +8,18 @@ use embedded_graphics_core::{
 use embedded_raster::{
     buffer_bytes,
     geom::{self, clip, delaunay, exact, polygon as outlines, triangulate, Contours, Outlines},
-    paint::Ramp,
-    pixel::{self, Be, Lsb0},
+    paint::{pattern, Ramp, RasterOp},
+    pixel::{self, Atkinson, Be, ColorCube, FloydSteinberg, Lsb0},
     raster::{
         arc, coverage, ellipse,
         flood::{self, FloodTarget},
-        line, line_fx, outline, polygon, rectangle, rounded, stroke, triangle,
+        line, line_fx,
+        mapped::{self, Texels},
+        outline, polygon, rectangle, rounded, stroke, triangle,
     },
-    surface::{paged_bytes, Counter},
-    Angle, ClippedSpan, CoverageSlot, Ellipse, Index1, Index2, Index4, Index8, Layout, Octants, Palette, Path, PointFx,
-    Radii, Rect, Sector, Sink, Steps, Stroke, Surface, Viewport,
+    surface::{paged_bytes, Counter, Sheet},
+    Affine, Angle, Canvas, ClippedSpan, CoverageSlot, Ellipse, Framebuffer, Index1, Index2, Index4, Index8, Layout,
+    Octants, Palette, Path, PointFx, Radii, Rect, Sector, Sink, Steps, Stroke, Surface, Viewport,
 };
 use fixed::types::I16F16;
 
@@ -131,6 +133,51 @@ calls! {
     color => Ramp::<_, 7>::new([n, m, 3, 4, 5, 6, 7]).color(a.byte(0));
     [CoverIndex]
     new => antialias::mixed(a);
+    [mapped]
+    fill => {
+        let mut sum = 0;
+        mapped::fill(&a.map(), a.extent(), window, |span, texels| sum = (sum, texel(span, texels)).answer()).map(|()| sum)
+    };
+    stretch => {
+        let mut sum = 0;
+        mapped::stretch(area, a.extent(), window, |span, texels| sum = (sum, texel(span, texels)).answer());
+        sum
+    };
+    [Texels]
+    texel => {
+        let mut sum = 0;
+        mapped::stretch(other, a.extent(), window, |span, texels| sum = (sum, texel(span, texels)).answer());
+        sum
+    };
+    [ColorCube]
+    new => ColorCube::<64>::new(on).nearest(Rgb888::RED);
+    nearest => ColorCube::<512>::new(on).nearest(Rgb888::new(a.byte(1), a.byte(2), a.byte(3)));
+    [FloydSteinberg]
+    new => {
+        let mut row = [[i16::from(a.byte(0)); 3]; 5];
+        diffuse(a, FloydSteinberg::new(&mut row), |diffusion, level, nearest| diffusion.next(level, nearest))
+    };
+    next => diffuse(a, FloydSteinberg::new(&mut []), |diffusion, level, nearest| diffusion.next(level, nearest));
+    [Atkinson]
+    new => {
+        let mut row = [[[i16::from(a.byte(0)); 3]; 2]; 5];
+        diffuse(a, Atkinson::new(&mut row), |diffusion, level, nearest| diffusion.next(level, nearest))
+    };
+    next => diffuse(a, Atkinson::new(&mut []), |diffusion, level, nearest| diffusion.next(level, nearest));
+    [Sheet]
+    new => Sheet::new(&a.picture, a.tile(), a.halves(0)[0]).len();
+    len => Sheet::new(&a.picture, a.tile(), a.tile()).len();
+    is_empty => Sheet::new(&a.picture, a.tile(), a.tile()).is_empty();
+    tile_size => Sheet::new(&a.picture, a.tile(), a.tile()).tile_size().width;
+    tile => Sheet::new(&a.picture, a.tile(), a.tile()).tile(a.length(0)).map(|tile| tile.size().height);
+    [pattern]
+    shade => pattern::shade(n.unsigned_abs()).map(i32::from)[7];
+    [RasterOp]
+    and => operated(a, |color| RasterOp::and(color), |color| RasterOp::and(color));
+    or => operated(a, |color| RasterOp::or(color), |color| RasterOp::or(color));
+    xor => operated(a, |color| RasterOp::xor(color), |color| RasterOp::xor(color));
+    invert => operated(a, |_| RasterOp::invert(), |_| RasterOp::invert());
+    of => RasterOp::xor(Index4::new(a.byte(0))).of(Index4::new(a.byte(1))).index();
     [triangle]
     fill => spans(|look| triangle::fill(a.corners_fx(), window, look));
     extent => triangle::extent(a.corners_fx());
@@ -319,13 +366,73 @@ calls! {
         on.map(Index2::from).expand::<Index2, Lsb0<Index2>>(a.bytes, a.out);
     };
     expand => on.expand::<Index4, Rgb888>(a.bytes, a.out);
+    between => on.between(&pixel::EGA, a.byte(0)).get(a.byte(1)).map(|color| color.b());
     nearest => on.nearest(Rgb888::new(a.byte(1), a.byte(2), a.byte(3)));
     greys => Palette::<_, 16>::greys().get(a.byte(0)).map(|color| color.g());
     rgb332 => Palette::rgb332().get(a.byte(0)).map(|color| color.b());
     web_safe => Palette::web_safe().get(a.byte(0)).map(|color| color.r());
 }
 
+/// Diffuses bytes over pixels whose channels are shown as whatever comes next.
+fn diffuse<L: Layout, D>(
+    a: &Arguments<'_, L>,
+    mut diffusion: D,
+    mut next: impl FnMut(&mut D, [u8; 3], &dyn Fn([u8; 3]) -> (u8, [u8; 3])) -> u8,
+) -> usize {
+    let mut last = 0_u8;
+    let mut sum = 0_usize;
+    for &byte in a.bytes.iter().take(40) {
+        last = next(&mut diffusion, [byte, last, !byte], &|[r, g, b]| (r ^ g ^ b, [byte & 0xf0, 255, b]));
+        sum = sum.wrapping_mul(3).wrapping_add(last.into());
+    }
+    sum
+}
+
+/// The first texel of a run, and its pixel.
+fn texel(span: ClippedSpan, mut texels: Texels) -> (i32, i32) {
+    let (column, row) = texels.texel();
+    (span.x0() ^ column, span.y() ^ row)
+}
+
+/// Fills a triangle by an operation on indices, and by one on colours.
+fn operated<L: Layout>(
+    a: &mut Arguments<'_, L>,
+    of_indices: impl Fn(Index4) -> RasterOp<Index4>,
+    of_colors: impl Fn(Rgb565) -> RasterOp<Rgb565>,
+) -> bool {
+    let (corners, byte) = (a.corners_fx(), a.byte(0));
+    if let Ok(mut frame) = Framebuffer::<Index4>::new(a.out, 4, 4) {
+        frame.paint(of_indices(Index4::new(byte)), |window, brush| triangle::fill(corners, window, brush));
+    }
+    if let Ok(mut frame) = Framebuffer::<Rgb565>::new(a.out, 4, 4) {
+        let color = Rgb565::new(byte, byte, 3);
+        frame.paint(of_colors(color), |window, brush| triangle::fill(corners, window, brush));
+    }
+    a.out.first() == Some(&byte)
+}
+
 impl<L: Layout> Arguments<'_, L> {
+    /// Of tiles: small enough for several, or 0.
+    pub(crate) fn tile(&self) -> u16 {
+        u16::from(self.byte(2) % 9)
+    }
+
+    /// Of pictures.
+    pub(crate) fn map(&self) -> Affine {
+        let [xx, xy, dx, yx, yy, dy] = self.numbers;
+        // Small enough to be drawn, mostly.
+        let factor = |n: i32| I16F16::from_bits(if self.flag { n } else { n >> 10 });
+        let moved = |n: i32| I16F16::from_bits(if self.flag { n } else { n >> 8 });
+        Affine { xx: factor(xx), xy: factor(xy), dx: moved(dx), yx: factor(yx), yy: factor(yy), dy: moved(dy) }
+    }
+
+    /// Of a pattern.
+    pub(crate) fn rows(&self) -> [u8; 8] {
+        let [a, b, c, d] = self.numbers[0].to_le_bytes();
+        let [e, f, g, h] = self.numbers[1].to_le_bytes();
+        [a, b, c, d, e, f, g, h]
+    }
+
     fn steps(&self) -> Option<Steps> {
         line::clip(self.points[0], self.points[1], self.window)
     }

@@ -40,7 +40,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
-    paint::{depth, DepthShade, Dithered, Linear, Radial, Ramp, Shade, ShadeSome},
+    paint::{depth, DepthShade, Dithered, Linear, Pattern, Radial, Ramp, Shade, ShadeSome, Tiles},
     pipeline::Dot,
     pixel::Lsb0,
     raster::{
@@ -49,9 +49,9 @@ use embedded_raster::{
         rounded::Align,
         triangle,
     },
-    surface::Rows,
-    Antialias, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, PointFx, Radii, Readable,
-    Rect, Sector, Sink, Solid, Span, Stroke, Surface,
+    surface::{Rows, Sheet},
+    Antialias, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, Pictures, PointFx, Radii,
+    Readable, Rect, Sector, Sink, Solid, Span, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use shading::with_depths;
@@ -305,6 +305,25 @@ calls! {
     new => on.paint(Radial::new(a.places[0], a.size, a.outside(), |level, _| color(level)), |window, brush| {
         triangle::fill(corners, window, brush);
     });
+    [Pictures]
+    blit_mapped => on.blit_mapped(a.points[0], &a.picture, |texel| (texel != c).then_some(texel));
+    blit_stretched => on.blit_stretched(a.areas[0], &a.picture, Some);
+    blit_affine => on.blit_affine(&a.map(), &a.picture, Some).is_ok();
+    blit_nine_patch => on.blit_nine_patch(a.areas[0], &a.picture, a.areas[1], Some);
+    draw_tile_map => {
+        let sheet = Sheet::new(&a.picture, a.tile(), a.tile());
+        on.draw_tile_map(a.points[0], &sheet, |column, row| usize::try_from(column ^ row).ok(), Some);
+    };
+    [Pattern]
+    new => on.paint(Pattern::new(a.rows(), c, None), |window, brush| triangle::fill(corners, window, brush));
+    at => on.paint(Pattern::new(a.rows(), c, Some(a.colors[1])).at(a.points[0]), |window, brush| {
+        triangle::fill(corners, window, brush);
+    });
+    [Tiles]
+    new => on.paint(Tiles::new(&a.picture, Some), |window, brush| triangle::fill(corners, window, brush));
+    at => on.paint(Tiles::new(&a.picture, |texel| (texel != c).then_some(c)).at(a.points[0]), |window, brush| {
+        triangle::fill(corners, window, brush);
+    });
     [ShadeSome]
     new => a.facet().map(|facet| {
         let plane = Plane::new(&facet, a.depths());
@@ -369,6 +388,15 @@ calls! {
         }).is_err()
     };
     recolored => a.recolored(on, |target, _, on| target.clear(on).is_err());
+    recolored_at => a.recolored_at(on, |target, _, on| target.clear(on).is_err());
+    [RecoloredAt]
+    bounding_box => (!window.is_empty()).then(|| a.recolored_at(on, |target, _, _| target.bounding_box()));
+    draw_iter => a.recolored_at(on, |target, a, flag| target.draw_iter(a.points.map(|at| Pixel(at, flag)))).is_err();
+    fill_contiguous => {
+        let flags = (0..a.bytes.len()).map(|i| BinaryColor::from(i % 3 == 0));
+        a.recolored_at(on, |target, a, _| target.fill_contiguous(&a.rectangle(), flags)).is_err()
+    };
+    fill_solid => a.recolored_at(on, |target, a, flag| target.fill_solid(&a.rectangle(), flag)).is_err();
     [SurfaceTarget]
     bounding_box => (!window.is_empty()).then(|| eg::target(on).bounding_box());
     draw_iter => eg::target(on).draw_iter(a.points.map(|at| Pixel(at, a.alternate(at.x)))).is_err();
@@ -427,6 +455,18 @@ impl<L: Layout> Arguments<'_, L> {
         act(&mut eg::recolored(&mut eg::target(on), convert), self, self.flag.into())
     }
 
+    /// The same by places: every other column has the colours exchanged.
+    fn recolored_at<S: Surface<Color = L::Color>, R>(
+        &self,
+        on: &mut S,
+        act: impl FnOnce(&mut FlagsAt<'_, '_, S>, &Self, BinaryColor) -> R,
+    ) -> R {
+        let [first, second] = self.colors;
+        let convert: &dyn Fn(Point, BinaryColor) -> S::Color =
+            &|at, flag| if flag.is_on() ^ (at.x & 1 == 0) { first } else { second };
+        act(&mut eg::recolored_at(&mut eg::target(on), convert), self, self.flag.into())
+    }
+
     /// As many colours as there are bytes.
     fn stream(&self) -> impl Iterator<Item = L::Color> {
         let [first, second] = self.colors;
@@ -480,6 +520,10 @@ impl<L: Layout> Arguments<'_, L> {
 /// A surface of two colours.
 type Flags<'a, 'b, S> =
     eg::Recolored<'a, eg::SurfaceTarget<'b, S>, BinaryColor, &'a dyn Fn(BinaryColor) -> <S as Surface>::Color>;
+
+/// The same, by places.
+type FlagsAt<'a, 'b, S> =
+    eg::RecoloredAt<'a, eg::SurfaceTarget<'b, S>, BinaryColor, &'a dyn Fn(Point, BinaryColor) -> <S as Surface>::Color>;
 
 /// The circle in a box, if it lies in the window as a whole: what its outline says.
 fn octants(area: Rect, window: Rect) -> Option<embedded_raster::Octants> {

@@ -60,6 +60,7 @@ calls! {
     threshold => (Bayer::<2>::threshold(a.points[0]), Bayer::<8>::threshold(a.points[0]));
     shade => Bayer::<4>::shade(a.byte(0), a.byte(1), a.points[0]);
     fine_shade => Bayer::<8>::fine_shade(a.halves(0)[0], a.byte(1), a.points[0]);
+    moved => Bayer::<4>::moved(a.byte(0), a.byte(1), a.points[0]);
     [depth]
     less => depth::less(&n, &m);
     less_equal => depth::less_equal(&n, &m);

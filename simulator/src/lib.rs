@@ -8,7 +8,7 @@
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
 //! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
-//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
+//! [`palettes`] reads colour tables. [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -25,6 +25,7 @@ mod difference;
 pub mod film;
 mod finish;
 pub mod paint;
+pub mod palettes;
 mod picture;
 mod png;
 mod pnm;

@@ -78,7 +78,7 @@ impl Picture {
     }
 
     /// A picture of colours.
-    pub(crate) fn from_colors(width: usize, height: usize, colors: Vec<Rgb888>) -> Self {
+    pub fn from_colors(width: usize, height: usize, colors: Vec<Rgb888>) -> Self {
         Self { width, height, pixels: Pixels::Rgb(colors) }
     }
 

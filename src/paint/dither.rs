@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use crate::num::cast::{low_u8, unsigned};
+use crate::num::cast::{low_u8, signed, unsigned};
 
 /// Ordered dither in blocks of N x N pixels; N is 2, 4 or 8.
 ///
@@ -87,6 +87,22 @@ impl<const N: u32> Bayer<N> {
         let n = u32::from(level).wrapping_mul(most.into());
         let n = n.wrapping_mul(2 * N * N).wrapping_add(Self::offset(at).wrapping_mul(65_535));
         low_u8(n / (65_535 * 2 * N * N))
+    }
+
+    /// A level moved up or down by up to half of `spread`, by the threshold of the pixel: for a palette, whose nearest entry is looked
+    /// for after that. A good spread is about the distance of its colours.
+    /// ```
+    /// use embedded_graphics_core::geometry::Point;
+    /// use embedded_raster::paint::Bayer;
+    /// let at = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(x, y)| Point::new(x, y));
+    /// assert_eq!(at.map(|at| Bayer::<2>::moved(100, 80, at)), [70, 110, 130, 90]);
+    /// ```
+    #[inline(always)]
+    pub fn moved(level: u8, spread: u8, at: Point) -> u8 {
+        // From -255 to 255: of N^2 steps, the middle of the one that the threshold names.
+        let steps = signed(Self::offset(at)).wrapping_sub(signed(N * N));
+        let by = steps.wrapping_mul(spread.into()) >> (2 * Self::BITS + 1);
+        low_u8(unsigned(i32::from(level).wrapping_add(by).clamp(0, 255)))
     }
 
     /// Twice the threshold, and 1.

@@ -24,7 +24,8 @@
 //! # Ok::<(), embedded_raster::Error>(())
 //! ```
 //!
-//! [`Linear`] and [`Radial`] are gradients for any shape. What changes from corner to corner of a triangle is a
+//! A [`Pattern`] tells areas apart where there are few colours, [`Tiles`] repeat a picture, and a [`RasterOp`] changes the bits of what
+//! is there. [`Linear`] and [`Radial`] are gradients for any shape. What changes from corner to corner of a triangle is a
 //! [`Varying`](crate::geom::Varying): [`Canvas::shade_triangle_fx`](crate::Canvas::shade_triangle_fx) draws it, by a [`Shade`].
 //! ```
 //! use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
@@ -59,7 +60,9 @@ mod cover;
 pub mod depth;
 mod dither;
 pub mod gradient;
+pub mod pattern;
 mod ramp;
+mod raster_op;
 mod shade;
 mod solid;
 mod traits;
@@ -70,7 +73,9 @@ pub use self::{
     depth::DepthShade,
     dither::Bayer,
     gradient::{Linear, Outside, Radial},
+    pattern::{Pattern, Tiles},
     ramp::{CoverIndex, Dithered, Ramp},
+    raster_op::RasterOp,
     shade::{Shade, ShadeSome},
     solid::Solid,
     traits::Paint,

@@ -21,14 +21,20 @@
 
 mod channels;
 mod color;
+mod cube;
+pub mod diffusion;
 mod format;
 mod levels;
 mod palette;
 pub(crate) mod rows;
+mod tables;
 
 pub use self::{
     channels::Channels,
     color::{Depth16, Depth32, Id16, Id32, Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888},
+    cube::ColorCube,
+    diffusion::{Atkinson, FloydSteinberg},
     format::{buffer_bytes, row_bytes, Be, Lsb0, PixelFormat},
-    palette::{Palette, EGA},
+    palette::Palette,
+    tables::{EGA, EPAPER_4, EPAPER_7, EPAPER_RED, EPAPER_YELLOW},
 };

@@ -3,9 +3,10 @@
 use embedded_graphics_core::pixelcolor::{raw::RawU8, PixelColor, Rgb888, RgbColor};
 
 use super::{
+    channels::Channels,
     color::Rgb332,
     format::PixelFormat,
-    levels::{nearest, rescale, EGA_RGB},
+    levels::{nearest, rescale},
     rows,
 };
 use crate::{
@@ -160,6 +161,27 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
     }
 }
 
+impl<C: Channels, const N: usize> Palette<C, N> {
+    /// The table that is `level` of 255 parts on the way to another one, entry by entry: of each channel the nearest level. Drawn
+    /// pixels fade from one picture into another.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+    /// use embedded_raster::{pixel::EGA, Palette};
+    /// let night = Palette::new([Rgb888::BLACK; 16]);
+    /// let dusk = EGA.between(&night, 51); // a fifth of the way
+    /// assert_eq!(dusk.get(7), Some(Rgb888::new(136, 136, 136)));
+    /// assert_eq!((EGA.between(&night, 0), EGA.between(&night, 255)), (EGA, night));
+    /// ```
+    #[must_use]
+    pub fn between(&self, other: &Self, level: u8) -> Self {
+        let mut colors = self.colors;
+        for (color, &other) in colors.iter_mut().zip(&other.colors) {
+            *color = C::between([*color, other], level);
+        }
+        Self { colors }
+    }
+}
+
 impl<C: RgbColor, const N: usize> Palette<C, N> {
     /// The index of the entry nearest to a colour: least sum of squared channel differences, the first one at a tie.
     /// Channels are compared in units of their own type. 0 for an empty table.
@@ -220,7 +242,3 @@ impl Palette<Rgb888, 216> {
         Self { colors }
     }
 }
-
-/// The sixteen colours of the IBM Enhanced Graphics Adapter (1984): black, blue, green, cyan, red, magenta, brown, light
-/// grey, and the bright ones.
-pub const EGA: Palette<Rgb888, 16> = Palette::new(EGA_RGB);

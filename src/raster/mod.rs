@@ -25,6 +25,7 @@ pub mod coverage;
 pub mod flood;
 pub mod line;
 pub mod line_fx;
+pub mod mapped;
 pub mod outline;
 pub mod polygon;
 pub mod rectangle;

@@ -128,7 +128,7 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
 
     /// The colour of a pixel that lies in the window.
     #[inline(always)]
-    pub(super) fn at(&self, x: i32, y: i32) -> L::Color {
+    pub(crate) fn at(&self, x: i32, y: i32) -> L::Color {
         let (memory, grid) = self.read();
         L::get(memory, grid, self.place(x, y))
     }

@@ -19,6 +19,7 @@ mod pages;
 mod planes;
 mod recorder;
 mod rows;
+mod sheet;
 mod strip;
 pub mod texture;
 mod traits;
@@ -35,6 +36,7 @@ pub use self::{
     planes::Planes,
     recorder::Recorder,
     rows::{Bitmap, Framebuffer, Rows},
+    sheet::Sheet,
     strip::Strip,
     texture::Texture,
     traits::{Readable, Surface},

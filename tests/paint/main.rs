@@ -4,6 +4,9 @@
 mod along;
 mod cover;
 mod depth;
+mod diffusion;
 mod gradient;
+mod pattern;
+mod pictures;
 mod shade;
 mod texture;

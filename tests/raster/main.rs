@@ -8,6 +8,7 @@ mod exactly_once;
 mod flood;
 mod line;
 mod line_fx;
+mod mapped;
 mod offsets;
 mod order;
 mod path;
