@@ -63,7 +63,8 @@ pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
 
 /// Cuts a run off the front of a list: as many edges as each belong behind all the edges before them, or in front of all. Returns
 /// the run, sorted, and the rest.
-#[inline(always)]
+#[cfg_attr(not(embedded_raster_compact), inline(always))]
+#[cfg_attr(embedded_raster_compact, inline(never))]
 fn take_run(table: &[EdgeSlot], list: u16) -> (u16, u16) {
     let Some(mut last) = get(table, list) else { return (END, END) };
     let (mut first, mut low) = (list, last);

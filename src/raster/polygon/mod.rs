@@ -232,7 +232,9 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
         <C::Item as IntoIterator>::Item: Borrow<PointFx>,
     {
         for contour in contours {
-            let vertices = contour.into_iter().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
+            // By reference: it may have many words.
+            let mut contour = contour.into_iter();
+            let vertices = contour.by_ref().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
             each_side(vertices, |a, b| self.add(a, b));
         }
     }
@@ -368,9 +370,7 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
             }
             winding = winding.wrapping_add(edge.winding());
             if winding & rule.mask() == 0 {
-                if let Some(span) = (Span { y, x0, x1: x }).clip_columns(window) {
-                    sink.span(span);
-                }
+                tell(Span { y, x0, x1: x }, window, sink);
             }
             if edge.end() <= next {
                 link.set(edge.link.get());
@@ -386,11 +386,18 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink:
         }
         if winding & rule.mask() != 0 {
             // Its right end is not in the table.
-            if let Some(span) = (Span { y, x0, x1: i32::MAX }).clip_columns(window) {
-                sink.span(span);
-            }
+            tell(Span { y, x0, x1: i32::MAX }, window, sink);
         }
         y = next;
+    }
+}
+
+/// As much of a span as the window shows.
+#[cfg_attr(not(embedded_raster_compact), inline(always))]
+#[cfg_attr(embedded_raster_compact, inline(never))]
+fn tell(span: Span, window: Rect, sink: &mut impl Sink) {
+    if let Some(span) = span.clip_columns(window) {
+        sink.span(span);
     }
 }
 
@@ -419,9 +426,7 @@ fn scan_two(
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Step);
         let (x0, x1) = (p.value.min(q.value), p.value.max(q.value));
-        if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
-            sink.span(span);
-        }
+        tell(Span { y, x0, x1 }, window, sink);
         p.step();
         q.step();
         y = y.wrapping_add(1);

@@ -2,12 +2,14 @@
 //!
 //! ```text
 //!            top                On each row two sides are crossed. From the top corner two sides go down, and each is followed by
-//!           /   '-._            the one opposite to the other. Which of both is the left one need not be computed: crossings are
-//!        one        '-._        rounded the same way on both, so the lesser is the left one's, or they are equal and there is no
-//!           '-._        two     pixel between them.
-//!               '-._   /
+//!           /   '-._            the one opposite to the other.
+//!        one        '-._
+//!           '-._        two     Crossings are rounded the same way on both. So the lesser one belongs to the left side, or they
+//!               '-._   /        are equal and there is no pixel between them.
 //!                   end
 //! ```
+//! As with triangles there are two ways down: by sums of fixed-point numbers (`raster::sum`) on chips that divide, for lines that lie
+//! between the sides of the window and are not too large; and by quotient and remainder.
 
 use super::direction::{moved, Direction};
 use crate::{
@@ -74,7 +76,7 @@ fn draw(corners: [(i32, i32); 4], window: Rect, sink: impl Sink) {
 /// The most common lines, by additions: less than 256 pixels high, with all of their columns in the window.
 #[inline(always)]
 fn by_sums([top, one, two, bottom]: [(i32, i32); 4], (mut y, y1): (i32, i32), mut sink: impl Sink) {
-    // The side that points further to the left as seen from the top is the left one.
+    // Seen from the top, the left one is the one that points further to the left.
     let way = |end: (i32, i32)| (difference(end.0, top.0), difference(end.1, top.1));
     let (p, q) = (way(one), way(two));
     let (left, right) = if p.0.wrapping_mul(q.1) < p.1.wrapping_mul(q.0) { (one, two) } else { (two, one) };
