@@ -54,6 +54,7 @@ impl View {
     }
 
     /// With a margin of so many units around it.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn wider(self, units: u32) -> Self {
         let Self { x0, y0, x1, y1, tolerance } = self;
         let (low, high) = (|n: i32| n.saturating_sub_unsigned(units), |n: i32| n.saturating_add_unsigned(units));

@@ -66,6 +66,7 @@ impl Section {
     }
 
     /// The time when so many of its pieces are done. A curve from its end to its start is cut at the same times.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn time(self, done: u32) -> u32 {
         let Some(pieces) = NonZeroU32::new(self.pieces) else { return self.start };
         self.start.wrapping_add(done.wrapping_shl(self.level).wrapping_add(self.pieces >> 1) / pieces)
@@ -73,17 +74,25 @@ impl Section {
 }
 
 impl Bezier {
+    /// One that stays where it is.
+    pub(super) const NONE: Self = {
+        let (part, nowhere) = (Section { start: 0, level: 0, pieces: 0, done: 0 }, PointFx::from_bits(0, 0));
+        let (x, y) = (Polynomial::NONE, Polynomial::NONE);
+        // Zeros, which are not copied from anywhere.
+        Self { x, y, part, from: 0, last: nowhere, ahead: (0, nowhere), is_inside: false, is_small: false }
+    };
+
     /// By its four control points, or, if it is not `cubic`, by the first three of them; the last one is its end in any case.
     #[cfg_attr(embedded_raster_compact, inline(never))]
-    pub(super) fn new(points: [PointFx; 4], cubic: bool, view: &View) -> Self {
+    pub(super) fn set(&mut self, points: [PointFx; 4], cubic: bool, view: &View) {
         let places = points.map(bits);
-        let x = Polynomial::new(places.map(|p| p.0), cubic);
-        let y = Polynomial::new(places.map(|p| p.1), cubic);
-        let is_small = NARROW && x.is_small() && y.is_small();
-        let part = Section { start: 0, level: 0, pieces: 0, done: 0 };
+        self.x = Polynomial::new(places.map(|p| p.0), cubic);
+        self.y = Polynomial::new(places.map(|p| p.1), cubic);
+        self.is_small = NARROW && self.x.is_small() && self.y.is_small();
+        self.part = Section { start: 0, level: 0, pieces: 0, done: 0 };
+        self.is_inside = points.iter().all(|&p| view.holds(p));
         let [start, _, _, end] = points;
-        let is_inside = points.iter().all(|&p| view.holds(p));
-        Self { x, y, part, from: 0, last: start, ahead: (END, end), is_inside, is_small }
+        (self.from, self.last, self.ahead) = (0, start, (END, end));
     }
 
     /// When the part ended whose pieces have all come; `None` if others will come.
@@ -149,6 +158,7 @@ impl Bezier {
     }
 
     /// W(1/3) and W(2/3) of a part.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn bends(&self, part: Section) -> Bends {
         let length = 1_u32.wrapping_shl(part.level);
         let first = part.start.wrapping_mul(3).wrapping_add(length);
@@ -228,6 +238,7 @@ impl Bezier {
         }
     }
 
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn at(&self, t: u32) -> PointFx {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Point);

@@ -219,7 +219,9 @@ pub struct Contour<I, const WIDE: bool = false> {
     segments: I,
     /// How many of them are its own.
     left: usize,
-    curve: Option<Bezier>,
+    /// The last curve, if `has_curve`. It is set up where it is: one that is moved takes as many words as a contour.
+    curve: Bezier,
+    has_curve: bool,
     closed: bool,
     view: View,
     width: u32,
@@ -228,14 +230,24 @@ pub struct Contour<I, const WIDE: bool = false> {
 impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
     #[inline]
     fn new(start: PointFx, segments: I, left: usize, closed: bool, view: View) -> Self {
-        Self { start: Some(start), at: start, segments, left, curve: None, closed, view, width: 0 }
+        Self {
+            start: Some(start),
+            at: start,
+            segments,
+            left,
+            curve: Bezier::NONE,
+            has_curve: false,
+            closed,
+            view,
+            width: 0,
+        }
     }
 
-    /// Of the stroke, or 0. Where there is none it is a constant: then a fill links nothing that is for strokes.
+    /// Of the stroke, at least 1; 0 where there is none. So a fill links nothing that is for strokes, nor a stroke what is for fills.
     #[inline(always)]
-    const fn width(&self) -> u32 {
+    fn width(&self) -> u32 {
         if WIDE {
-            self.width
+            self.width.max(1)
         } else {
             0
         }
@@ -262,15 +274,22 @@ impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
     /// The curve whose vertices come now, or came last if no segment came after it.
     #[inline]
     pub(crate) fn curve(&self) -> Option<&Bezier> {
-        self.curve.as_ref()
+        self.has_curve.then_some(&self.curve)
     }
 
     /// The same up to the last part of it that a view may show. What comes behind is left out, and with it the closing side. A
     /// segment between corners that are not hidden counts as shown. Curves are followed `everywhere` or where they may show.
     #[inline]
-    pub(crate) fn front(self, view: View, everywhere: bool, hides_corner: impl Fn(PointFx) -> bool) -> Front<I, WIDE> {
-        let contour = if everywhere { Self { view: self.view.everywhere(), ..self } } else { self };
-        let mut front = Front { contour, view, until: None };
+    pub(crate) fn front(
+        &mut self,
+        view: View,
+        everywhere: bool,
+        hides_corner: impl Fn(PointFx) -> bool,
+    ) -> Front<'_, I, WIDE> {
+        if everywhere {
+            self.view = self.view.everywhere();
+        }
+        let mut front = Front { contour: self, view, until: None };
         front.leave_out(hides_corner);
         front
     }
@@ -282,45 +301,43 @@ impl<I: Segments, const WIDE: bool> Contour<I, WIDE> {
         }
         loop {
             let width = self.width();
-            if let Some(knot) = self.curve.as_mut().and_then(|curve| curve.next(&self.view, width)) {
-                return Some(knot);
+            if self.has_curve {
+                if let Some(knot) = self.curve.next(&self.view, width) {
+                    return Some(knot);
+                }
             }
             let from = self.at;
-            self.at = match self.next_segment()? {
+            let (points, cubic) = match self.next_segment()? {
                 PathSegment::LineTo(to) => {
-                    (self.at, self.curve) = (to, None);
+                    (self.at, self.has_curve) = (to, false);
                     return Some(Knot { at: to, smooth: false });
                 }
-                PathSegment::QuadraticTo(c, to) => {
-                    self.curve = Some(Bezier::new([from, c, to, to], false, &self.view));
-                    to
-                }
-                PathSegment::CubicTo(c, d, to) => {
-                    self.curve = Some(Bezier::new([from, c, d, to], true, &self.view));
-                    to
-                }
+                PathSegment::QuadraticTo(c, to) => ([from, c, to, to], false),
+                PathSegment::CubicTo(c, d, to) => ([from, c, d, to], true),
                 PathSegment::MoveTo(_) | PathSegment::Close => {
-                    self.curve = None;
+                    self.has_curve = false;
                     return None;
                 }
             };
+            self.curve.set(points, cubic, &self.view);
+            (self.at, self.has_curve) = (points[3], true);
         }
     }
 }
 
 /// The front of a contour, up to the last part that a view may show.
-#[derive(Clone, Debug)]
-pub(crate) struct Front<I, const WIDE: bool> {
-    contour: Contour<I, WIDE>,
+#[derive(Debug)]
+pub(crate) struct Front<'a, I, const WIDE: bool> {
+    contour: &'a mut Contour<I, WIDE>,
     view: View,
     /// The end of the last part of the last curve that the view may show.
     until: Option<u32>,
 }
 
-impl<I: Segments, const WIDE: bool> Front<I, WIDE> {
+impl<I: Segments, const WIDE: bool> Front<'_, I, WIDE> {
     /// Takes a few comparisons a segment.
     fn leave_out(&mut self, hides_corner: impl Fn(PointFx) -> bool) {
-        let contour = &mut self.contour;
+        let contour = &mut *self.contour;
         let (start, mut at) = (contour.at, contour.at);
         let (mut count, mut seen) = (0_usize, 0);
         for segment in contour.segments.clone().take(contour.left) {
@@ -348,7 +365,7 @@ impl<I: Segments, const WIDE: bool> Front<I, WIDE> {
     #[inline(never)]
     pub(crate) fn next_knot(&mut self) -> Option<Knot> {
         let is_last = self.contour.left == 0;
-        if let Some((curve, end)) = self.contour.curve.as_ref().filter(|_| is_last).and_then(|c| Some((c, c.done()?))) {
+        if let Some((curve, end)) = self.contour.curve().filter(|_| is_last).and_then(|c| Some((c, c.done()?))) {
             let until = *self.until.get_or_insert_with(|| curve.seen_until(&self.view, self.contour.width()));
             if end >= until {
                 return None;

@@ -19,6 +19,9 @@ pub(super) struct Polynomial {
 }
 
 impl Polynomial {
+    /// Always 0.
+    pub(super) const NONE: Self = Self { a: 0, b: 0, c: 0, d: 0 };
+
     /// By four control points, or, if it is not `cubic`, by the first three of them.
     #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn new([p0, p1, p2, p3]: [i32; 4], cubic: bool) -> Self {
@@ -58,6 +61,7 @@ impl Polynomial {
     /// Its slope at `t / 2^20`, times 2^8, rounded towards zero: below 2^44.
     ///
     /// `3 a t + 2 b` is below 2^38, and times 2^20 it has 58 bits. Times t, and with the slope at the start, `c 2^40`, it has 80.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn slope(&self, t: u32) -> i64 {
         let first = self.a.wrapping_mul(3).wrapping_mul(i64::from(t)).wrapping_add(self.b << (TIME_BITS + 1));
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);

@@ -21,60 +21,62 @@ use super::{
 use crate::geom::{flatten::THIN, PointFx};
 
 /// What came before.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum Last {
     /// Nothing: the next side begins with a cap.
     Nothing,
     /// Something that cannot be seen.
     Hidden,
-    Side(End),
+    Side,
 }
 
 /// The border of a stroke.
 pub(super) struct Border<'a, const CURVED: bool> {
     pieces: Pieces<'a, CURVED>,
     last: Last,
-    /// The start of a ring, which will be joined to its end.
-    first: Option<End>,
+    /// The end of the last side, if that came last.
+    end: End,
+    /// The start of a ring, which will be joined to its end, if there is one.
+    first: End,
+    has_first: bool,
 }
 
 impl<'a, const CURVED: bool> Border<'a, CURVED> {
-    pub(super) fn new(pen: Pen, each: Each<'a>) -> Self {
-        Self { pieces: Pieces { pen, each }, last: Last::Nothing, first: None }
+    pub(super) fn new(pen: &'a Pen, each: Each<'a>) -> Self {
+        let (pieces, nowhere) = (Pieces { pen, each }, PointFx::from_bits(0, 0));
+        let end = pieces.end(nowhere, Direction::RIGHT, nowhere, true, false);
+        Self { pieces, last: Last::Nothing, end, first: end, has_first: false }
     }
 
     /// The side and what is between it and the last one.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn add(&mut self, side: &Side) {
         let &Side { a, b, start, ways: [ua, ub] } = side;
-        let is_straight = !CURVED || ua == ub;
-        let from =
-            End { is_drawn: !self.pieces.pen.sight.hides(a, b), ..self.pieces.end(a, ua, is_straight.then_some(b)) };
-        match &self.last {
-            Last::Side(last) => self.pieces.join(last, &from, start == Start::Smooth),
-            Last::Nothing if start == Start::Ring => self.first = Some(from),
-            Last::Nothing => self.pieces.cap(&End { u: ua.back(), offset: opposite(from.offset), ..from }),
-            Last::Hidden if from.is_drawn => self.pieces.across(a, opposite(from.offset)),
+        let (pieces, is_straight) = (&mut self.pieces, !CURVED || ua == ub);
+        let is_drawn = !pieces.pen.sight.hides(a, b);
+        let from = pieces.end(a, ua, b, is_straight, is_drawn);
+        match self.last {
+            Last::Side => pieces.join(&self.end, &from, start == Start::Smooth),
+            Last::Nothing if start == Start::Ring => (self.first, self.has_first) = (from, true),
+            Last::Nothing => pieces.cap(&from, ua.back()),
+            Last::Hidden if is_drawn => pieces.across(a, opposite(from.offset)),
             Last::Hidden => {}
         }
-        let end = if is_straight {
-            End { at: b, other: Some(a), ..from }
-        } else {
-            End { is_drawn: from.is_drawn, ..self.pieces.end(b, ub, None) }
-        };
-        self.last = Last::Side(end);
-        if !from.is_drawn {
+        self.last = Last::Side;
+        self.end = pieces.end(b, ub, a, is_straight, is_drawn);
+        if !is_drawn {
             return;
         }
         // A side that turns by more than its border may does so within a hair, or it would not be one side. There, and where the
         // stroke is thin, the pen turns before the side and after it.
-        let turns = !is_straight && (self.pieces.pen.width <= THIN || self.pieces.turns_much(ua, ub));
+        let turns = !is_straight && (pieces.pen.width <= THIN || pieces.turns_much(ua, ub));
         match if turns { Direction::between(a, b) } else { None } {
-            None => self.pieces.band(&from, &end),
+            None => pieces.band(&from, &self.end),
             Some(u) => {
-                let (start, stop) = (self.pieces.end(a, u, Some(b)), self.pieces.end(b, u, Some(a)));
-                self.pieces.join(&from, &start, true);
-                self.pieces.band(&start, &stop);
-                self.pieces.join(&stop, &end, true);
+                let (start, stop) = (pieces.end(a, u, b, true, true), pieces.end(b, u, a, true, true));
+                pieces.join(&from, &start, true);
+                pieces.band(&start, &stop);
+                pieces.join(&stop, &self.end, true);
             }
         }
     }
@@ -86,32 +88,33 @@ impl<const CURVED: bool> Follow for Border<'_, CURVED> {
     }
 
     fn hidden<O: Outline>(&mut self, _: PointFx, _: PointFx, _: &O) {
-        match &self.last {
-            Last::Side(last) if last.is_drawn => self.pieces.across(last.at, last.offset),
-            _ => {}
+        if self.last == Last::Side && self.end.is_drawn {
+            self.pieces.across(self.end.at, self.end.offset);
         }
         self.last = Last::Hidden;
     }
 
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn stop(&mut self) {
-        if let Last::Side(last) = &self.last {
-            self.pieces.cap(last);
+        if self.last == Last::Side {
+            self.pieces.cap(&self.end, self.end.u);
         }
         self.last = Last::Nothing;
     }
 
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn close(&mut self) {
-        match (&self.last, self.first.take()) {
-            (Last::Side(last), Some(first)) => self.pieces.join(last, &first, false),
+        match (self.last, self.has_first) {
+            (Last::Side, true) => self.pieces.join(&self.end, &self.first, false),
             // Of a ring without a start nothing can be seen there, or a dash ends there.
-            (Last::Side(last), None) => self.pieces.cap(last),
-            (Last::Hidden, Some(first)) if first.is_drawn => self.pieces.across(first.at, opposite(first.offset)),
-            (Last::Nothing, Some(first)) => {
-                self.pieces.cap(&End { u: first.u.back(), offset: opposite(first.offset), ..first });
+            (Last::Side, false) => self.pieces.cap(&self.end, self.end.u),
+            (Last::Hidden, true) if self.first.is_drawn => {
+                self.pieces.across(self.first.at, opposite(self.first.offset));
             }
+            (Last::Nothing, true) => self.pieces.cap(&self.first, self.first.u.back()),
             _ => {}
         }
-        self.last = Last::Nothing;
+        (self.last, self.has_first) = (Last::Nothing, false);
     }
 
     fn dot(&mut self, at: PointFx) {

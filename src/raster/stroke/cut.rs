@@ -3,7 +3,7 @@
 use super::{
     border::Border,
     pen::Pen,
-    sides::{follow, Outline},
+    sides::{follow, Whole},
 };
 use crate::geom::{flatten::THIN, PointFx};
 
@@ -18,10 +18,10 @@ pub trait Cut: Copy {
     const IS_SOLID: bool = false;
 
     /// The border of contours, line by line; they may be `CURVED`.
-    fn border<O: Outline, const CURVED: bool>(
+    fn border<O: Whole, const CURVED: bool>(
         self,
         contours: impl Iterator<Item = O>,
-        pen: Pen,
+        pen: &Pen,
         each: &mut dyn FnMut(PointFx, PointFx),
     );
 }
@@ -31,15 +31,16 @@ impl Cut for () {
     const IS_SOLID: bool = true;
 
     #[inline]
-    fn border<O: Outline, const CURVED: bool>(
+    fn border<O: Whole, const CURVED: bool>(
         self,
-        contours: impl Iterator<Item = O>,
-        pen: Pen,
+        mut contours: impl Iterator<Item = O>,
+        pen: &Pen,
         each: &mut dyn FnMut(PointFx, PointFx),
     ) {
         let mut border = Border::<CURVED>::new(pen, each);
-        for outline in contours {
-            follow(outline, pen.sight, pen.width <= THIN, &mut border);
+        // By reference: an outline may have many words.
+        while let Some(ref mut outline) = contours.next() {
+            follow(outline, &pen.sight, pen.width <= THIN, &mut border);
         }
     }
 }

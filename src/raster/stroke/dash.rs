@@ -41,7 +41,7 @@ use super::{
     cut::Cut,
     direction::{distance, Direction, OVERSHOT},
     pen::{Pen, Sight},
-    sides::{follow, Follow, Outline, Side, Start},
+    sides::{follow, Follow, Outline, Side, Start, Whole},
     style::Stroke,
 };
 use crate::{
@@ -86,18 +86,18 @@ impl Stroke {
 }
 
 impl Cut for Dash<'_> {
-    fn border<O: Outline, const CURVED: bool>(
+    fn border<O: Whole, const CURVED: bool>(
         self,
-        contours: impl Iterator<Item = O>,
-        pen: Pen,
+        mut contours: impl Iterator<Item = O>,
+        pen: &Pen,
         each: &mut dyn FnMut(PointFx, PointFx),
     ) {
         let pattern = Pattern::new(self.lengths, pen.width);
         let (sight, first) = (pen.sight.wider(OVERSHOT), pattern.map_or(Place::default(), |p| p.start(self.phase)));
         let border = Border::<CURVED>::new(pen, each);
-        let mut cutter = Cutter { border, sight, pattern, first, at: first, skipped: 0, has_ended: false };
-        for outline in contours {
-            follow(outline.front(sight, pattern.is_some()), sight, pen.width <= THIN, &mut cutter);
+        let mut cutter = Cutter { border, sight: &sight, pattern, first, at: first, skipped: 0, has_ended: false };
+        while let Some(ref mut outline) = contours.next() {
+            follow(&mut outline.front(&sight, pattern.is_some()), &sight, pen.width <= THIN, &mut cutter);
         }
     }
 }
@@ -199,6 +199,8 @@ struct Length {
     /// As long as the curve, which may be a little more.
     whole: u64,
     s: u64,
+    /// The place there.
+    at: PointFx,
 }
 
 /// How far it is from one place to another, and how much farther the curve goes, of which this is a part.
@@ -208,17 +210,16 @@ fn measure<O: Outline>(a: PointFx, b: PointFx, outline: &O) -> (u64, u64) {
 }
 
 impl Length {
-    fn at(&self, s: u64) -> PointFx {
-        if s >= self.straight {
-            return self.side.b;
-        }
-        let along = |from: i32, u: i32| {
-            let (high, _) = times((i64::from(low_u32(s >> 32)), low_u32(s)), u.unsigned_abs());
-            let distance = high.wrapping_add(1 << 5) >> 6;
-            saturate(i64::from(from).wrapping_add(if u < 0 { distance.wrapping_neg() } else { distance }))
+    /// To this distance from its start.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    fn go_to(&mut self, s: u64) {
+        self.s = s;
+        self.at = if s >= self.straight {
+            self.side.b
+        } else {
+            let (x, y) = bits(self.side.a);
+            PointFx::from_bits(along(x, self.u.x, s), along(y, self.u.y, s))
         };
-        let (x, y) = bits(self.side.a);
-        PointFx::from_bits(along(x, self.u.x), along(y, self.u.y))
     }
 
     /// Which way it goes at a place: at its ends it is known, in between the curve is asked.
@@ -234,10 +235,18 @@ impl Length {
     }
 }
 
+/// A coordinate, moved by a distance in a direction.
+#[cfg_attr(embedded_raster_compact, inline(never))]
+fn along(from: i32, u: i32, s: u64) -> i32 {
+    let (high, _) = times((i64::from(low_u32(s >> 32)), low_u32(s)), u.unsigned_abs());
+    let distance = high.wrapping_add(1 << 5) >> 6;
+    saturate(i64::from(from).wrapping_add(if u < 0 { distance.wrapping_neg() } else { distance }))
+}
+
 /// Cuts sides into dashes.
 struct Cutter<'a, 'b, const CURVED: bool> {
     border: Border<'b, CURVED>,
-    sight: Sight,
+    sight: &'b Sight,
     /// `None` if it is solid.
     pattern: Option<Pattern<'a>>,
     /// The place in it at which a contour starts.
@@ -258,7 +267,7 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
         let skipped = pattern.rest(mem::take(&mut self.skipped));
         pattern.advance(&mut self.at, skipped);
         let (straight, more) = measure(a, b, outline);
-        let mut length = Length { side: *side, u, straight, whole: straight.wrapping_add(more), s: 0 };
+        let mut length = Length { side: *side, u, straight, whole: straight.wrapping_add(more), s: 0, at: a };
         while length.s != length.whole {
             self.cut(&pattern, &mut length, outline);
         }
@@ -304,6 +313,7 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
     }
 
     /// Moves on by a distance below 2^42 and a little more.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn skip(&mut self, pattern: &Pattern<'_>, distance: u64) {
         self.skipped = self.skipped.wrapping_add(distance);
         if self.skipped >> 43 != 0 {
@@ -312,11 +322,12 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
     }
 
     /// Goes on by one length of the pattern, or to the end of a side, or over whole periods that cannot be seen.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn cut<O: Outline>(&mut self, pattern: &Pattern<'_>, length: &mut Length, outline: &O) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Dash);
         let (s, side) = (length.s, length.side);
-        let (from, mut left) = (length.at(s), length.whole.wrapping_sub(s));
+        let (from, mut left) = (length.at, length.whole.wrapping_sub(s));
         // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
         if s > 0 {
             let mut beside = self.sight.beside(from).min(left);
@@ -330,13 +341,13 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
                 beside = left;
             }
             if beside >= pattern.period {
-                length.s = s.wrapping_add(beside.wrapping_sub(pattern.rest(beside)));
+                length.go_to(s.wrapping_add(beside.wrapping_sub(pattern.rest(beside))));
                 return;
             }
         }
         let on = self.at.is_on();
         left = left.min(self.at.left);
-        length.s = s.wrapping_add(left);
+        length.go_to(s.wrapping_add(left));
         self.at.left = self.at.left.wrapping_sub(left);
         let ends = self.at.left == 0;
         if ends {
@@ -355,9 +366,10 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
     }
 
     /// A part of a side, up to the present place.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     fn dash<O: Outline>(&mut self, length: &Length, (s, a): (u64, PointFx), outline: &O) {
         let side = length.side;
-        let b = length.at(length.s);
+        let b = length.at;
         let start = match side.start {
             // A dash that is the first thing on a ring may be joined to the last one.
             start if s == 0 => start,

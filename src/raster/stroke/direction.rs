@@ -22,7 +22,7 @@ impl Direction {
     pub(crate) const RIGHT: Self = Self { x: 1 << 30, y: 0 };
 
     /// From a to b; `None` if they are the same place.
-    #[inline]
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn between(a: PointFx, b: PointFx) -> Option<Self> {
         let (a, b) = (bits(a), bits(b));
         Self::of((difference(b.0, a.0), difference(b.1, a.1)))

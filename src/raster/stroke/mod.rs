@@ -179,7 +179,7 @@ pub(super) fn path_border<D: Dashing>(
     each: &mut dyn FnMut(PointFx, PointFx),
 ) {
     let pen = Pen::new(stroke, window);
-    stroke.dash.border::<_, true>(Contours::wide(path, window, pen.reach, pen.width), pen, each);
+    stroke.dash.border::<_, true>(Contours::wide(path, window, pen.reach, pen.width), &pen, each);
 }
 
 pub(super) fn polyline_border<D: Dashing>(
@@ -190,7 +190,7 @@ pub(super) fn polyline_border<D: Dashing>(
     each: &mut dyn FnMut(PointFx, PointFx),
 ) {
     let lines = Polyline { places: places.iter(), closed };
-    stroke.dash.border::<_, false>([lines].into_iter(), Pen::new(stroke, window), each);
+    stroke.dash.border::<_, false>([lines].into_iter(), &Pen::new(stroke, window), each);
 }
 
 /// A box that encloses the pixels of a stroked path: that of the path, with as much around it as a join or a cap may reach.

@@ -115,11 +115,14 @@ impl Pen {
         let c = (from.dot(to) >> 30).wrapping_add(1 << 30);
         let near = c > 0 && u64::from(self.limit).wrapping_mul(magnitude(c)) >= 1 << 47;
         let c = NonZeroU32::new(low_u32(magnitude(c))).filter(|_| near)?;
-        let reach = |p: i32, q: i32| {
-            let sum = i64::from(p).wrapping_add(i64::from(q));
-            let n = u64::from(self.width).wrapping_mul(sum.unsigned_abs()).wrapping_add(u64::from(c.get()));
-            with_sign(div_rem_wide(n >> 1, c).0, sum)
-        };
+        let reach = |p: i32, q: i32| tip_of(self.width, i64::from(p).wrapping_add(q.into()), c);
         Some((reach(from.x, to.x), reach(from.y, to.y)))
     }
+}
+
+/// A coordinate of a tip: `w sum / 2 c`, rounded to nearest.
+#[cfg_attr(embedded_raster_compact, inline(never))]
+fn tip_of(width: u32, sum: i64, c: NonZeroU32) -> i32 {
+    let n = u64::from(width).wrapping_mul(sum.unsigned_abs()).wrapping_add(u64::from(c.get()));
+    with_sign(div_rem_wide(n >> 1, c).0, sum)
 }

@@ -29,15 +29,16 @@ pub(super) struct End {
     pub(super) u: Direction,
     /// To the right of u, half a width long.
     pub(super) offset: Offset,
-    /// The other end of the side, if that is straight.
-    pub(super) other: Option<PointFx>,
+    /// The other end of the side.
+    pub(super) other: PointFx,
+    pub(super) is_straight: bool,
     /// Whether the side is drawn. Of one beside the window, with a corner whose tip may show, nothing else is.
     pub(super) is_drawn: bool,
 }
 
 /// What tells the lines of each piece; where it is `CURVED`, sides may bend. If not, nothing of what they take is linked.
 pub(super) struct Pieces<'a, const CURVED: bool> {
-    pub(super) pen: Pen,
+    pub(super) pen: &'a Pen,
     pub(super) each: Each<'a>,
 }
 
@@ -46,8 +47,10 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
         (self.each)(a, b);
     }
 
-    pub(super) fn end(&self, at: PointFx, u: Direction, other: Option<PointFx>) -> End {
-        End { at, u, offset: u.right().offset(self.pen.width), other, is_drawn: true }
+    /// An end of a side that goes to or comes from another place.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    pub(super) fn end(&self, at: PointFx, u: Direction, other: PointFx, is_straight: bool, is_drawn: bool) -> End {
+        End { at, u, offset: u.right().offset(self.pen.width), other, is_straight, is_drawn }
     }
 
     /// The straight end of a side, from the offset to its opposite.
@@ -70,10 +73,18 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
         self.line(at, moved(at, to));
     }
 
-    /// The end of a side that goes this way, from the right to the left.
-    pub(super) fn cap(&mut self, &End { at, u, offset, is_drawn, .. }: &End) {
+    /// The end of a side, as seen in this direction, from the right to the left.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    pub(super) fn cap(&mut self, end: &End, u: Direction) {
+        if end.is_drawn {
+            self.cap_at(end.at, u);
+        }
+    }
+
+    #[inline]
+    fn cap_at(&mut self, at: PointFx, u: Direction) {
+        let offset = u.right().offset(self.pen.width);
         match self.pen.cap {
-            _ if !is_drawn => {}
             Cap::Butt => self.across(at, offset),
             Cap::Square => {
                 // The offset to the right, turned to the left, points ahead.
@@ -135,15 +146,15 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
         let (p, q) = (last.u.right(), next.u.right());
         let (from, to) = if last.u.cross(next.u) > 0 { (q.back(), p.back()) } else { (p, q) };
         let tip = if self.pen.join == Join::Miter { self.pen.tip(from, to) } else { None };
-        let Some(tip) = tip.map(|tip| moved(at, tip)).filter(|&tip| !self.pen.sight.hides(at, tip)) else { return };
-        let [a, b] = [from, to].map(|u| moved(at, u.offset(self.pen.width)));
-        for (a, b) in [(at, a), (a, tip), (tip, b), (b, at)] {
-            self.line(a, b);
+        if tip.is_some_and(|tip| !self.pen.sight.hides(at, moved(at, tip))) {
+            self.outside(at, from, to, Join::Miter);
+            self.gap(at, to.offset(self.pen.width), from.offset(self.pen.width));
         }
     }
 
     /// What is between the end of a side and the start of the next. `turns`: as a curve does, so that what the pen sweeps over on
     /// the inner side belongs to the stroke too.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn join(&mut self, last: &End, next: &End, turns: bool) {
         let (at, p, q, turns) = (next.at, last.u, next.u, CURVED && turns);
         if !(last.is_drawn && next.is_drawn) {
@@ -182,14 +193,14 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
     }
 
     /// A contour without length.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn dot(&mut self, at: PointFx) {
         match self.pen.cap {
             _ if self.pen.sight.hides(at, at) => {}
             Cap::Butt => {}
             Cap::Square => {
                 for u in [Direction::RIGHT, Direction::RIGHT.back()] {
-                    let end = self.end(at, u, None);
-                    self.cap(&end);
+                    self.cap_at(at, u);
                 }
             }
             Cap::Round => self.disc(at),
@@ -214,9 +225,9 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
             let is_more = closed || root & 1 != 0 || i64::from(root).wrapping_mul(root.into()) != square;
             let reach = signed(root >> 1);
             let (left, right) = (x.saturating_sub(reach), x.saturating_add(reach).saturating_add(is_more.into()));
-            let [a, b] = [left, right].map(|x| [0, 1].map(|more| PointFx::from_bits(x, centre.wrapping_add(more))));
-            self.line(a[0], a[1]);
-            self.line(b[1], b[0]);
+            let below = centre.wrapping_add(1);
+            self.line(PointFx::from_bits(left, centre), PointFx::from_bits(left, below));
+            self.line(PointFx::from_bits(right, below), PointFx::from_bits(right, centre));
         }
     }
 
@@ -228,6 +239,7 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
     }
 
     /// Both borders of a side.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn band(&mut self, start: &End, end: &End) {
         let (a, b) = (start.at, end.at);
         let [right, left] = [start.offset, opposite(start.offset)].map(|o| moved(a, o));
@@ -284,24 +296,24 @@ pub(super) fn is_far_out(at: PointFx) -> bool {
 /// triangle between these three places lies in both sides: it was wound around twice, and still is once.
 #[cfg_attr(embedded_raster_compact, inline(never))]
 fn is_inside(last: &End, next: &End, is_right: bool) -> bool {
-    let (Some(a), Some(b)) = (last.other, next.other) else { return false };
-    if [a, b, next.at].into_iter().any(is_far_out) {
+    if !(last.is_straight && next.is_straight) || [last.other, next.other, next.at].into_iter().any(is_far_out) {
         return false;
     }
     let side = |o: Offset| if is_right { o } else { opposite(o) };
     let (p, q) = (side(last.offset), side(next.offset));
     // The products of a corner that turns left have the other sign.
-    let signed = |product: i64| if is_right { product } else { product.wrapping_neg() };
-    let (d, e) = (between(a, next.at), between(next.at, b));
-    let sum = |d: (i64, i64), o: Offset| (d.0.wrapping_add(o.0.into()), d.1.wrapping_add(o.1.into()));
-    let (ahead, behind) = (sum(d, q), sum((e.0.wrapping_neg(), e.1.wrapping_neg()), p));
-    // Between the lines across at both ends of the last side, and not beyond its borders; and the same for the next side.
-    let across = |side: (i64, i64), o: Offset| cross(side, o).unsigned_abs();
-    signed(cross(wide(p), q)) >= 0
-        && signed(cross(ahead, p)) >= 0
-        && across(d, q) <= across(d, p)
-        && signed(cross(behind, q)) <= 0
-        && across(e, p) <= across(e, q)
+    let sign = if is_right { 1 } else { -1 };
+    cross(wide(p), q).wrapping_mul(sign) >= 0
+        && holds(between(last.other, next.at), p, q, sign)
+        && holds(between(next.other, next.at), q, p, sign.wrapping_neg())
+}
+
+/// Whether the end of an offset q from a corner lies in a side that comes to it along d and has the offset p there: between the lines
+/// across at both ends of the side, and not beyond its borders.
+#[cfg_attr(embedded_raster_compact, inline(never))]
+fn holds(d: (i64, i64), p: Offset, q: Offset, sign: i64) -> bool {
+    let ahead = (d.0.wrapping_add(q.0.into()), d.1.wrapping_add(q.1.into()));
+    cross(ahead, p).wrapping_mul(sign) >= 0 && cross(d, q).unsigned_abs() <= cross(d, p).unsigned_abs()
 }
 
 /// If a side bends so much that the offsets of its ends cross: whether they do so on the right, and a place a little before the

@@ -18,9 +18,13 @@ pub trait Outline {
     fn ends_at(&self, v: PointFx) -> bool;
     /// The curve that the last side is a part of.
     fn curve(&self) -> Option<&Bezier>;
+}
+
+/// An outline of which the end may be left out.
+pub trait Whole: Outline {
     /// The same up to the last part of it that can be seen: what is left out does not change what is seen. Curves are followed
     /// `everywhere` or where they can be seen.
-    fn front(self, sight: Sight, everywhere: bool) -> impl Outline;
+    fn front(&mut self, sight: &Sight, everywhere: bool) -> impl Outline;
 }
 
 impl<I: Segments, const WIDE: bool> Outline for Contour<I, WIDE> {
@@ -43,14 +47,16 @@ impl<I: Segments, const WIDE: bool> Outline for Contour<I, WIDE> {
     fn curve(&self) -> Option<&Bezier> {
         self.curve()
     }
+}
 
+impl<I: Segments, const WIDE: bool> Whole for Contour<I, WIDE> {
     #[inline]
-    fn front(self, sight: Sight, everywhere: bool) -> impl Outline {
+    fn front(&mut self, sight: &Sight, everywhere: bool) -> impl Outline {
         self.front(sight.near, everywhere, |v| sight.hides_corner(v))
     }
 }
 
-impl<I: Segments, const WIDE: bool> Outline for Front<I, WIDE> {
+impl<I: Segments, const WIDE: bool> Outline for Front<'_, I, WIDE> {
     #[inline]
     fn next_place(&mut self) -> Option<(PointFx, bool)> {
         self.next_knot().map(|Knot { at, smooth }| (at, smooth))
@@ -69,11 +75,6 @@ impl<I: Segments, const WIDE: bool> Outline for Front<I, WIDE> {
     #[inline]
     fn curve(&self) -> Option<&Bezier> {
         self.curve()
-    }
-
-    #[inline]
-    fn front(self, _: Sight, _: bool) -> impl Outline {
-        self
     }
 }
 
@@ -104,13 +105,15 @@ impl Outline for Polyline<'_> {
     fn curve(&self) -> Option<&Bezier> {
         None
     }
+}
 
-    fn front(self, sight: Sight, _: bool) -> impl Outline {
+impl Whole for Polyline<'_> {
+    fn front(&mut self, sight: &Sight, _: bool) -> impl Outline {
         let places = self.places.as_slice();
         let hides = |a: PointFx, b: PointFx| sight.hides(a, b) && sight.hides_corner(a) && sight.hides_corner(b);
-        let [first, .., last] = *places else { return self };
+        let [first, .., last] = *places else { return self.clone() };
         if self.closed && !hides(last, first) {
-            return self;
+            return self.clone();
         }
         let seen = places.windows(2).rposition(|side| matches!(*side, [a, b] if !hides(a, b)));
         let len = seen.map_or(0, |side| side.wrapping_add(2));
@@ -157,7 +160,7 @@ pub(super) trait Follow {
 }
 
 /// Goes along a contour. Sides of no length are left out. Where a stroke is thin, the sides inside of a curve are straight.
-pub(super) fn follow<O: Outline>(mut outline: O, sight: Sight, is_thin: bool, to: &mut impl Follow) {
+pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, is_thin: bool, to: &mut impl Follow) {
     let Some((start, _)) = outline.next_place() else { return };
     let mut last = Knot { at: start, smooth: false };
     let (mut way, mut moved, mut done) = (None, false, false);
@@ -185,9 +188,9 @@ pub(super) fn follow<O: Outline>(mut outline: O, sight: Sight, is_thin: bool, to
         let (a, b) = (last.at, knot.at);
         let no_tip = |smooth: bool, v: PointFx| smooth || sight.hides_corner(v);
         let is_hidden = sight.hides(a, b) && no_tip(last.smooth, a) && no_tip(knot.smooth && !outline.ends_at(b), b);
-        match if is_hidden { None } else { ways(&outline, (a, b), &mut way, !done, is_thin) } {
-            Some(ways) => to.side(&Side { a, b, ways, start: kind }, &outline),
-            None => to.hidden(a, b, &outline),
+        match if is_hidden { None } else { ways(outline, (a, b), &mut way, !done, is_thin) } {
+            Some(ways) => to.side(&Side { a, b, ways, start: kind }, outline),
+            None => to.hidden(a, b, outline),
         }
         last = knot;
     }
@@ -207,11 +210,12 @@ fn ways<O: Outline>(
     is_part: bool,
     is_thin: bool,
 ) -> Option<[Direction; 2]> {
-    let straight = || Direction::between(a, b);
-    let Some(curve) = outline.curve().filter(|_| is_part) else { return straight().map(|u| [u; 2]) };
+    let Some(curve) = outline.curve().filter(|_| is_part) else { return Direction::between(a, b).map(|u| [u; 2]) };
     let [start, end] = curve.ways(is_thin);
-    let last = known.filter(|&(way, _)| way == start).map(|(_, u)| u);
-    let to = Direction::of(end);
+    let (last, to) = (known.filter(|&(way, _)| way == start).map(|(_, u)| u), Direction::of(end));
     *known = to.map(|u| (end, u));
-    Some([last.or_else(|| Direction::of(start)).or_else(straight)?, to.or_else(straight)?])
+    match (last.or_else(|| Direction::of(start)), to) {
+        (Some(from), Some(to)) => Some([from, to]),
+        (from, to) => Direction::between(a, b).map(|u| [from.unwrap_or(u), to.unwrap_or(u)]),
+    }
 }
