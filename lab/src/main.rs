@@ -12,6 +12,7 @@
 
 mod bench;
 mod cost;
+mod coverage;
 mod engine;
 mod frame;
 mod judge;
@@ -46,10 +47,13 @@ cargo run --release -p lab -- [OPTIONS]
   --time-only   no callgrind
   --plain       only clears, rectangles and blits, beside `slice::fill` and `copy_from_slice`: printed
   --shading     colours, depths and textures over triangles: writes shading.md instead
+  --coverage    soft rims: writes coverage.md instead
+  --rims        only soft rims beside a loop of stores: printed
   --stores      only shaded triangles beside a loop of stores: printed
   --samples     counts values that are not as promised, of tens of millions; fails when there is one
 
-The peers that shade triangles take part in --shading and --stores with `--features peers-3d`.
+The peers that shade triangles take part in --shading and --stores with `--features peers-3d`, those that antialias in
+--coverage and --rims with `--features peers-aa`.
 ";
 
 /// What is measured.
@@ -60,6 +64,8 @@ enum What {
     Shading,
     Stores,
     Samples,
+    Coverage,
+    Rims,
 }
 
 struct Options {
@@ -84,6 +90,8 @@ fn options() -> Result<Options> {
             Long("plain") => options.what = What::Plain,
             Long("shading") => options.what = What::Shading,
             Long("stores") => options.what = What::Stores,
+            Long("coverage") => options.what = What::Coverage,
+            Long("rims") => options.what = What::Rims,
             Long("samples") => options.what = What::Samples,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
@@ -161,6 +169,7 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("gouraud") => shading::gouraud(quick).child(name),
         Some("depth16") => shading::depth16(quick).child(name),
         Some("depth32") => shading::depth32(quick).child(name),
+        Some("coverage") => coverage::coverage(quick).child(name),
         Some("perspective") => shading::perspective(quick).child(name),
         _ => false,
     };
@@ -277,6 +286,18 @@ fn main() -> Result<()> {
         }
         What::Stores => {
             println!("{}", shading::stores::report(quick));
+            Ok(())
+        }
+        What::Coverage => {
+            let (page, folder) = (coverage::page::measure(counter(), quick)?, folder(&options));
+            write_page(&folder.join("coverage.md"), &page.markdown(options.plots || !quick))?;
+            if options.plots || !quick {
+                page.draw(&folder)?;
+            }
+            Ok(())
+        }
+        What::Rims => {
+            println!("{}", coverage::stores::report(quick));
             Ok(())
         }
         What::Samples => shading::samples::run(quick),
