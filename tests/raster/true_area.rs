@@ -119,7 +119,7 @@ fn hard_cases_are_right_both_ways() {
         };
         for rule in RULES {
             for is_true in [false, true] {
-                judge(&[contour.clone()], rule, window, is_true);
+                judge(std::slice::from_ref(&contour), rule, window, is_true);
             }
         }
     }
@@ -160,7 +160,7 @@ fn sides_along_the_left_border() {
         let straight = (512, 1_536 - near.1);
         for contour in [vec![near, straight, far], vec![near, far, straight]] {
             for (rule, is_true) in RULES.into_iter().flat_map(|rule| [(rule, false), (rule, true)]) {
-                let (_, partial) = judge(&[contour.clone()], rule, window, is_true);
+                let (_, partial) = judge(std::slice::from_ref(&contour), rule, window, is_true);
                 assert!(partial >= 6, "{contour:?}");
             }
         }
@@ -174,7 +174,7 @@ fn simple_shapes_are_the_same_both_ways() {
     for i in 0..cases(3_000) {
         let corners = outline(&mut rng, Scale::ALL[i % 4], 3);
         let window = small(window_on(&mut rng, &corners));
-        let [sums, areas] = [false, true].map(|way| picture(&[corners.clone()], RULES[i % 2], window, way));
+        let [sums, areas] = [false, true].map(|way| picture(std::slice::from_ref(&corners), RULES[i % 2], window, way));
         // Two sides that end at a corner may be rounded one by one or together.
         let apart = sums.levels.iter().zip(&areas.levels).map(|(a, b)| a.abs_diff(*b)).max();
         assert!(apart <= Some(1), "{corners:?} in {window:?}\n{}\n{}", sums.picture(), areas.picture());

@@ -25,7 +25,7 @@ type Frame<'a> = Framebuffer<'a, Rgb565>;
 /// Scratch memory for sides and cells.
 struct Scratch {
     edges: [EdgeSlot; 128],
-    sides: [CoverageSlot; 256],
+    sides: [CoverageSlot; 512],
     cells: [i32; coverage::cells(WIDTH as u16)],
 }
 
@@ -73,7 +73,7 @@ fn main() {
     let mut memory = [0; 2 * WIDTH * HEIGHT];
     let mut scratch = Scratch {
         edges: [EdgeSlot::EMPTY; 128],
-        sides: [CoverageSlot::EMPTY; 256],
+        sides: [CoverageSlot::EMPTY; 512],
         cells: [0; coverage::cells(WIDTH as u16)],
     };
     let scene = Scene::new();
