@@ -8,7 +8,9 @@
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
 //! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
-//! [`palettes`] reads colour tables. [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
+//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
+//! [`scanout`] is a display over time: what is seen of a buffer that is drawn on while it is shown. [`moving`] has what programs share that
+//! show a scene that moves, and [`heat`](mod@heat) counts how often each pixel is drawn. [`palettes`] reads colour tables.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -24,12 +26,15 @@ pub mod clock;
 mod difference;
 pub mod film;
 mod finish;
+pub mod heat;
+pub mod moving;
 pub mod paint;
 pub mod palettes;
 mod picture;
 mod png;
 mod pnm;
 mod preview;
+pub mod scanout;
 pub mod svg;
 pub mod teapot;
 mod window;

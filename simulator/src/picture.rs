@@ -5,7 +5,7 @@ use embedded_graphics_core::{
     image::GetPixel,
     pixelcolor::{Rgb888, RgbColor},
 };
-use embedded_raster::{Palette, PixelFormat};
+use embedded_raster::{Palette, PixelFormat, Rect};
 
 /// A copy of what a framebuffer showed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -134,6 +134,18 @@ impl Picture {
             Pixels::Rgb(colors) => Pixels::Rgb(all.map(|at| colors[from(at)]).collect()),
         };
         Self { width, height, pixels }
+    }
+
+    /// In colours, with a frame one pixel wide just inside of each rectangle.
+    #[must_use]
+    pub fn outlined(&self, areas: &[Rect], color: Rgb888) -> Self {
+        let inside = |area: &Rect, x: i32, y: i32| area.contains(x, y) && !area.inset(1).contains(x, y);
+        let is_on = |at: usize| {
+            let [x, y] = [at % self.width, at / self.width].map(|n| i32::try_from(n).unwrap_or(i32::MAX));
+            areas.iter().any(|area| inside(area, x, y))
+        };
+        let colors = self.colors().enumerate().map(|(at, old)| if is_on(at) { color } else { old });
+        Self::from_colors(self.width, self.height, colors.collect())
     }
 
     fn at(&self, x: usize, y: usize) -> Option<usize> {

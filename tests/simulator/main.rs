@@ -4,5 +4,6 @@ mod clock;
 mod paint;
 #[path = "../golden/compare.rs"]
 mod pictures;
+mod scanout;
 mod teapot;
 mod world;
