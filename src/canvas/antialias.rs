@@ -3,10 +3,13 @@
 
 use core::borrow::Borrow;
 
+use embedded_graphics_core::geometry::Point;
+
 use crate::{
     error::EdgeTableFull,
     geom::{fill_rule::FillRule, flatten::Segments, PointFx},
     paint::{Brush, Paint},
+    pixel::PixelFormat,
     raster::{
         coverage::{self, CoverageSlot},
         ellipse::Ellipse,
@@ -14,7 +17,7 @@ use crate::{
         stroke::{Dashing, Stroke},
     },
     span::Rect,
-    surface::Surface,
+    surface::{copy_with, Frame, Layout, Readable, Surface},
 };
 
 /// Draws shapes with soft rims on any [`Surface`]: antialiasing. Each pixel is painted by how much of it the shape covers: see
@@ -34,6 +37,7 @@ use crate::{
 /// | [`CoverIndex`](crate::paint::CoverIndex) | indices that can be read | gets the nearest entry of the palette |
 /// | [`Dithered`](crate::paint::Dithered) | any surface; one bit | is painted or not, as many of a block as are covered of it |
 /// | [`Solid`](crate::Solid), and any other | any surface | is painted if half of it is covered |
+/// | [`Masked`](crate::paint::Masked) | as the paint behind it | is painted by that, as far as a mask lets it through |
 ///
 /// **Memory.** `cells` may have any length, even 0: [`coverage::cells`] says how many let a row be drawn at once.
 /// ```
@@ -201,6 +205,77 @@ pub trait Antialias: Surface {
         paint: impl Paint<Self>,
     ) -> Result<(), EdgeTableFull> {
         self.stroke_polyline_aa(&[a, b], false, stroke, table, cells, paint)
+    }
+
+    /// Paints a mask so that its top left pixel falls on `at`: a glyph with soft rims, or a picture that has nothing but an alpha. Of
+    /// pixels of 1, 2, 4 or 8 bits the number says how much of the pixel is painted, and the largest number is all of it. What lies
+    /// outside is clipped. The mask may have any layout; a view of one may start at any pixel, even within a byte.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray8};
+    /// use embedded_raster::{paint::{Alpha, Cover, Dithered}, Antialias, Bitmap, Framebuffer};
+    /// let glyph = Bitmap::<Gray2>::new(&[0b00_01_10_11, 0b11_10_01_00], 4, 2)?;
+    /// let mut ram = [100; 5 * 2];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 2)?;
+    /// frame.blit_mask_aa((1, 0), &glyph, Cover(Gray8::new(250)));
+    /// assert_eq!(ram, [100, 100, 150, 200, 250, 100, 250, 200, 150, 100]);
+    ///
+    /// let mut ram = [0; 2];
+    /// let mut screen = Framebuffer::<BinaryColor>::new(&mut ram, 5, 2)?;
+    /// screen.blit_mask_aa((0, 0), &glyph, Dithered::<_, 2>(BinaryColor::On));
+    /// assert_eq!(ram, [0b0001_0000, 0b1110_0000]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias("drawAlpha", "draw_glyph", "drawChar", "lv_draw_letter", "A8", "A4"))]
+    #[inline]
+    fn blit_mask_aa<M, L>(&mut self, at: impl Into<Point>, mask: &Frame<M, L>, paint: impl Paint<Self>)
+    where
+        M: AsRef<[u8]>,
+        L: Layout,
+        L::Color: PixelFormat<Color = L::Color>,
+    {
+        mask.tell_levels(at.into(), self.window(), Brush::new(self, paint));
+    }
+
+    /// Paints a picture so that its top left pixel falls on `at`, each pixel in the colour that `mix` makes of that of the picture and
+    /// the old one. What lies outside is clipped. The picture may have any layout, and colours of any type.
+    ///
+    /// With [`Argb8888::over`](crate::pixel::Argb8888::over) or its sister for premultiplied channels this is *source over*: sprites
+    /// with soft rims, shadows, glass. With indices, `mix` looks for the [nearest](crate::Palette::nearest) entry.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+    /// use embedded_raster::{pixel::{Argb8888, EGA}, Antialias, Bitmap, Framebuffer, Index4};
+    /// // Blue, green, red, alpha: a white pixel, a half of a red one, and none.
+    /// let sprite = [255, 255, 255, 255, 0, 0, 255, 128, 9, 9, 9, 0];
+    /// let sprite = Bitmap::<Argb8888>::new(&sprite, 3, 1)?;
+    /// let mut ram = [0x10, 0x84].repeat(4);
+    /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 4, 1)?;
+    /// frame.blit_with((1, 0), &sprite, Argb8888::over);
+    /// let colors = [0, 1, 2, 3].map(|x| frame.get((x, 0)));
+    /// let grey = Rgb565::new(16, 32, 16);
+    /// assert_eq!(colors, [grey, Rgb565::new(31, 63, 31), Rgb565::new(24, 16, 8), grey].map(Some));
+    ///
+    /// let mut ram = [0x22; 2];
+    /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 4, 1)?;
+    /// frame.blit_with((1, 0), &sprite, |source, old: Index4| {
+    ///     let under = EGA.get(old.index()).unwrap_or_default();
+    ///     Index4::new(EGA.nearest(source.over(under)))
+    /// });
+    /// assert_eq!(ram, [0x2f, 0x62]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias("blend", "composite", "source_over", "alpha", "sprite", "pushImage"))]
+    #[inline]
+    fn blit_with<M, L>(
+        &mut self,
+        at: impl Into<Point>,
+        picture: &Frame<M, L>,
+        mix: impl FnMut(L::Color, Self::Color) -> Self::Color,
+    ) where
+        Self: Readable + Sized,
+        M: AsRef<[u8]>,
+        L: Layout,
+    {
+        copy_with(self, at.into(), picture, mix);
     }
 }
 

@@ -60,6 +60,7 @@ mod cover;
 pub mod depth;
 mod dither;
 pub mod gradient;
+mod masked;
 pub mod pattern;
 mod ramp;
 mod raster_op;
@@ -73,6 +74,7 @@ pub use self::{
     depth::DepthShade,
     dither::Bayer,
     gradient::{Linear, Outside, Radial},
+    masked::Masked,
     pattern::{Pattern, Tiles},
     ramp::{CoverIndex, Dithered, Ramp},
     raster_op::RasterOp,

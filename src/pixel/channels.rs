@@ -5,7 +5,10 @@ use embedded_graphics_core::pixelcolor::{
     RgbColor,
 };
 
-use super::color::{Rgb332, Rgb444, Xrgb8888};
+use super::{
+    color::{Rgb332, Rgb444, Xrgb8888},
+    levels::luma,
+};
 use crate::num::cast::low_u8;
 
 /// A colour of red, green and blue, or a grey: what can be mixed, channel by channel. An index is none.
@@ -20,6 +23,19 @@ pub trait Channels: PixelColor {
     /// assert_eq!(Rgb565::mixed(colors, brighter), Rgb565::new(2, 20, 31));
     /// ```
     fn mixed<const N: usize>(colors: [Self; N], mix: impl FnMut([u8; N]) -> u8) -> Self;
+
+    /// The colour each of whose channels is what `mix` makes of that channel of this colour, of the largest number that it can have,
+    /// and of the number that it has among others of red, green and blue, below `2^16`. A grey takes the luma of those: of ITU-R BT.601,
+    /// with the weights 77, 150 and 29 of 256, rounded. Of the answer the low bits count.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Gray4, Rgb565};
+    /// use embedded_raster::pixel::Channels;
+    /// // The nearest channel to one of 8 bits, whatever was there before.
+    /// let take = |_, most: u8, level: u32| ((level * u32::from(most) + 127) / 255) as u8;
+    /// assert_eq!(Rgb565::new(1, 2, 3).mixed_with([255, 128, 0], take), Rgb565::new(31, 32, 0));
+    /// assert_eq!(Gray4::new(1).mixed_with([255, 128, 0], take), Gray4::new(9));
+    /// ```
+    fn mixed_with(self, rgb: [u32; 3], mix: impl FnMut(u8, u8, u32) -> u8) -> Self;
 
     /// The colour that is `level` of 255 parts on the way from one colour to another: of each channel the nearest level.
     /// ```
@@ -89,6 +105,11 @@ macro_rules! rgb {
                 let [r, g, b] = three(ends.map(|color| [color.r(), color.g(), color.b()]), level);
                 Self::new(r, g, b)
             }
+
+            #[inline(always)]
+            fn mixed_with(self, [r, g, b]: [u32; 3], mut mix: impl FnMut(u8, u8, u32) -> u8) -> Self {
+                Self::new(mix(self.r(), Self::MAX_R, r), mix(self.g(), Self::MAX_G, g), mix(self.b(), Self::MAX_B, b))
+            }
         })*
     };
 }
@@ -99,6 +120,11 @@ macro_rules! grey {
             #[inline(always)]
             fn mixed<const N: usize>(colors: [Self; N], mut mix: impl FnMut([u8; N]) -> u8) -> Self {
                 Self::new(mix(colors.each_ref().map(Self::luma)))
+            }
+
+            #[inline(always)]
+            fn mixed_with(self, rgb: [u32; 3], mut mix: impl FnMut(u8, u8, u32) -> u8) -> Self {
+                Self::new(mix(self.luma(), Self::WHITE.luma(), luma(rgb)))
             }
         })*
     };

@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::{
     BinaryColor, PixelColor, Rgb555, Rgb565, Rgb888, RgbColor,
 };
 
-use super::levels::{nearest, rescale, EGA_RGB};
+use super::levels::{luma, nearest, rescale, EGA_RGB};
 
 macro_rules! index {
     ($name:ident, $raw:ident, $bits:literal, $colors:literal, $standard:literal) => {
@@ -252,21 +252,19 @@ rgb!(Rgb332, u8, 3 at 5, 3 at 2, 2 at 0);
 rgb!(Rgb444, u16, 4 at 8, 4 at 4, 4 at 0);
 rgb!(Xrgb8888, u32, 8 at 16, 8 at 8, 8 at 0);
 
-/// Luma of ITU-R BT.601 in 0..=255, by the weights 77, 150 and 29 of 256.
-fn luma(c: Rgb888) -> u8 {
-    let sum = 77 * u32::from(c.r()) + 150 * u32::from(c.g()) + 29 * u32::from(c.b());
-    crate::num::cast::low_u8((sum + 128) >> 8)
+fn luma_of(c: Rgb888) -> u8 {
+    crate::num::cast::low_u8(luma([c.r(), c.g(), c.b()].map(u32::from)))
 }
 
 impl From<Rgb888> for Index1 {
     fn from(c: Rgb888) -> Self {
-        Self::new(rescale(luma(c), 255, 1))
+        Self::new(rescale(luma_of(c), 255, 1))
     }
 }
 
 impl From<Rgb888> for Index2 {
     fn from(c: Rgb888) -> Self {
-        Self::new(rescale(luma(c), 255, 3))
+        Self::new(rescale(luma_of(c), 255, 3))
     }
 }
 

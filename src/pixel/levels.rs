@@ -11,6 +11,13 @@ pub(super) const fn rescale(value: u8, from_max: u8, to_max: u8) -> u8 {
     crate::num::cast::low_u8((2 * value * to + from) / (2 * from))
 }
 
+/// Luma of ITU-R BT.601, by the weights 77, 150 and 29 of 256, of channels below `2^16`: in their range.
+#[inline]
+pub(super) const fn luma([r, g, b]: [u32; 3]) -> u32 {
+    let sum = r.wrapping_mul(77).wrapping_add(g.wrapping_mul(150)).wrapping_add(b.wrapping_mul(29));
+    sum.wrapping_add(128) >> 8
+}
+
 /// The index of the nearest of at most 256 colours.
 pub(super) fn nearest<C: RgbColor>(colors: impl Iterator<Item = C>, wanted: C) -> u8 {
     let square = |a: u8, b: u8| {

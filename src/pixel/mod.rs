@@ -13,12 +13,14 @@
 //! | 24 | `Rgb666`, `Bgr666`, `Rgb888`, `Bgr888` | little-endian: of `Rgb888` blue comes first; [`Be<C>`](Be) big-endian |
 //! | 16, 32 | [`Depth16`], [`Depth32`], [`Id16`], [`Id32`] | no colours: depths, and numbers of triangles |
 //! | 32 | [`Xrgb8888`] | little-endian: blue, green, red, unused; [`Be<C>`](Be) big-endian |
+//! | 32 | [`Argb8888`] | pictures with an alpha: blue, green, red, alpha; [`Be<C>`](Be) big-endian |
 //!
 //! This is the order of pixels within a row. Where rows lie is the business of a [`Layout`](crate::Layout): in vertical pages,
 //! [`Pages`](crate::surface::Pages), a byte holds eight rows.
 //!
 //! A format of your own is a colour type of your own: implement `PixelColor` for it, and conversions from and to its raw data.
 
+mod argb;
 mod channels;
 mod color;
 mod cube;
@@ -30,6 +32,7 @@ pub(crate) mod rows;
 mod tables;
 
 pub use self::{
+    argb::Argb8888,
     channels::Channels,
     color::{Depth16, Depth32, Id16, Id32, Index1, Index2, Index4, Index8, Rgb332, Rgb444, Xrgb8888},
     cube::ColorCube,

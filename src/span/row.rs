@@ -1,7 +1,7 @@
 //! [`Span`] and [`ClippedSpan`]: pixels of one row.
 
 use super::rect::Rect;
-use crate::num::cast::{signed, unsigned};
+use crate::num::cast::{low_u32, signed, unsigned};
 
 /// Pixels `x0..x1` of row `y`, anywhere. Empty when `x0 >= x1`.
 /// ```
@@ -125,6 +125,23 @@ impl ClippedSpan {
         }
         if let Some(x0) = start {
             f(Self { x0, x1: x, ..self });
+        }
+    }
+
+    /// Calls `f` with the runs of pixels that are covered, from left to right: with their levels, or without if they are covered as a
+    /// whole. Pixels of level 0 are in none.
+    #[inline]
+    pub(crate) fn each_covered(self, levels: &[u8], mut f: impl FnMut(Self, Option<&[u8]>)) {
+        let kind = |level: u8| (level == 0, level == u8::MAX);
+        let (mut x0, mut rest) = (self.x0, levels);
+        while let Some(&first) = rest.first() {
+            let run = rest.iter().take_while(|&&level| kind(level) == kind(first)).count();
+            let Some((run, after)) = rest.split_at_checked(run) else { return };
+            let x1 = x0.wrapping_add_unsigned(low_u32(run.len() as u64));
+            if first != 0 {
+                f(Self { x0, x1, ..self }, (first != u8::MAX).then_some(run));
+            }
+            (x0, rest) = (x1, after);
         }
     }
 

@@ -6,6 +6,7 @@
 //!
 //! A wrapper around a surface can be a surface too, through which everything goes that is drawn. A [`Recorder`] is one: it tells
 //! where something is drawn, and [`Damage`] keeps that as a short list of rectangles.
+//! A wrapper around a surface can be a surface too, through which everything goes that is drawn: a [`Stencil`] clips it to a shape.
 
 mod blit;
 mod counter;
@@ -14,17 +15,18 @@ mod depth;
 mod draw;
 mod frame;
 mod layout;
+mod levels;
 mod packed12;
 mod pages;
 mod planes;
 mod recorder;
 mod rows;
 mod sheet;
+mod stencil;
 mod strip;
 pub mod texture;
 mod traits;
 
-pub(crate) use self::traits::{Inside, Said};
 pub use self::{
     counter::Counter,
     damage::Damage,
@@ -37,7 +39,12 @@ pub use self::{
     recorder::Recorder,
     rows::{Bitmap, Framebuffer, Rows},
     sheet::Sheet,
+    stencil::Stencil,
     strip::Strip,
     texture::Texture,
     traits::{Readable, Surface},
+};
+pub(crate) use self::{
+    levels::{copy_with, CHUNK},
+    traits::{Inside, Said},
 };

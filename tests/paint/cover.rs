@@ -15,7 +15,7 @@ use twins::{
 };
 
 /// The nearest whole number to `(a (most - part) + b part) / most`, found without a division.
-fn nearest(a: u8, b: u8, part: u32, most: u32) -> u8 {
+pub(crate) fn nearest(a: u8, b: u8, part: u32, most: u32) -> u8 {
     let sum = u64::from(a) * u64::from(most - part) + u64::from(b) * u64::from(part);
     let mut low = 0_u64;
     for bit in (0..8).rev() {
@@ -130,7 +130,7 @@ macro_rules! formats {
 }
 
 /// Colours of any bits.
-trait UnpackLow: PixelFormat {
+pub(crate) trait UnpackLow: PixelFormat {
     fn unpack_low(bits: u32) -> Self::Color {
         Self::unpack(bits & (u32::MAX >> (32 - Self::BITS.min(24))))
     }

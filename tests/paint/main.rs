@@ -2,10 +2,12 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "random numbers, cut on purpose")]
 
 mod along;
+mod argb;
 mod cover;
 mod depth;
 mod diffusion;
 mod gradient;
+mod masked;
 mod pattern;
 mod pictures;
 mod shade;
