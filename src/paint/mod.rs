@@ -59,6 +59,7 @@ pub mod colors;
 mod cover;
 pub mod depth;
 mod dither;
+mod gamma;
 pub mod gradient;
 mod masked;
 pub mod pattern;
@@ -73,6 +74,7 @@ pub use self::{
     cover::{Alpha, Cover, Over},
     depth::DepthShade,
     dither::Bayer,
+    gamma::{CoverGamma, Gamma},
     gradient::{Linear, Outside, Radial},
     masked::Masked,
     pattern::{Pattern, Tiles},

@@ -6,6 +6,7 @@ mod argb;
 mod cover;
 mod depth;
 mod diffusion;
+mod gamma;
 mod gradient;
 mod masked;
 mod pattern;
