@@ -53,6 +53,7 @@
 //! ![A square from yellow to blue, a ball with a light on it, and a triangle from red over green to blue][gradients]
 #![doc = include_str!("pictures.md")]
 
+mod add;
 pub mod along;
 mod brush;
 pub mod colors;
@@ -70,6 +71,7 @@ mod solid;
 mod traits;
 
 pub use self::{
+    add::Add,
     brush::Brush,
     cover::{Alpha, Cover, Over},
     depth::DepthShade,

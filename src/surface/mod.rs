@@ -8,6 +8,7 @@
 //! where something is drawn, and [`Damage`] keeps that as a short list of rectangles.
 //! A wrapper around a surface can be a surface too, through which everything goes that is drawn: a [`Stencil`] clips it to a shape.
 
+mod accumulator;
 mod blit;
 mod counter;
 mod damage;
@@ -28,6 +29,7 @@ pub mod texture;
 mod traits;
 
 pub use self::{
+    accumulator::{Accumulator, Sum},
     counter::Counter,
     damage::Damage,
     depth::{Depth, DepthBuffer},

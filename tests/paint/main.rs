@@ -12,4 +12,5 @@ mod masked;
 mod pattern;
 mod pictures;
 mod shade;
+mod sums;
 mod texture;
