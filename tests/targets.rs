@@ -33,3 +33,8 @@ fn textures() {
 fn text() {
     run(4, 200, texts::target);
 }
+
+#[test]
+fn soft_rims() {
+    run(4, 60, targets::coverage);
+}

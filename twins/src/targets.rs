@@ -1,24 +1,31 @@
-//! What the fuzz targets `shading`, `pipeline` and `texture` check, out of bytes of any kind: `tests/targets.rs` gives them random
+//! What the fuzz targets `shading`, `pipeline`, `texture` and `coverage` check, out of bytes of any kind: `tests/targets.rs` gives them random
 //! ones.
 
 use embedded_graphics_core::{
     geometry::Point,
-    pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565, RgbColor},
+    pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565, Rgb888, RgbColor},
 };
 use embedded_raster::{
     geom::{At, Facet, Perspective, Plane, Varying},
-    paint::depth,
+    paint::{depth, Add, Cover, Masked},
     pipeline::{Dot, Pipeline, Vertex},
     pixel::Depth16,
+    raster::coverage,
     surface::{
         texture::{AddressMode, Clamp, Mirror, Repeat, Texture},
-        DepthBuffer, Rows,
+        Accumulator, DepthBuffer, Rows, Sum,
     },
-    Canvas, Frame, Framebuffer, PointFx, Rect, Vec4,
+    Antialias, Bitmap, Canvas, CoverageSlot, FillRule, Frame, Framebuffer, PointFx, Rect, Vec4,
 };
 use fixed::types::{I16F16, I24F8};
 
-use super::{clipping, hits::Hits, input::Input, lines, planes, textures, triangle_has, Units};
+use super::{
+    clipping,
+    coverage::{area, Levels, PIXEL},
+    hits::Hits,
+    input::Input,
+    lines, planes, textures, triangle_has, Units,
+};
 
 fn places<const N: usize>(units: [Units; N]) -> [PointFx; N] {
     units.map(|(x, y)| PointFx::from_bits(x, y))
@@ -199,6 +206,72 @@ pub fn pipeline(data: &[u8]) {
             });
         },
     );
+}
+
+/// What polygons cover, against exact areas at every pixel, with little memory and with enough; and what paints make of it behind a mask,
+/// and added up.
+pub fn coverage(data: &[u8]) {
+    let mut input = Input(data);
+    let window = input.window();
+    let (slots, cells) = (input.index(20), input.index(60));
+    let corners = 3 + input.index(6);
+    let contour: Vec<Units> = (0..corners)
+        .map(|_| if input.one_in(8) { (input.int(), input.int()) } else { input.place_near(window) })
+        .collect();
+    let rule = if input.byte() & 1 == 0 { FillRule::NonZero } else { FillRule::EvenOdd };
+    let vertices = super::vertices(&contour);
+    let told = |slots: usize, cells: usize| {
+        let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; slots], vec![0x1234_5678; cells]);
+        let mut levels = Levels::new(window);
+        let result = coverage::fill([&vertices], rule, &mut table, &mut cells, window, &mut levels);
+        assert!(result.is_ok() || levels.calls == 0, "something was told before {result:?}");
+        result.is_ok().then_some(levels)
+    };
+    let enough = told(corners, 80).expect("a slot for each side is enough");
+    if let Some(few) = told(slots, cells) {
+        assert!(few.levels == enough.levels, "{slots} slots and {cells} cells: {contour:?} in {window:?}");
+    }
+    let contours = [contour];
+    let pixels = || (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y)));
+    for (x, y) in pixels() {
+        let (exact, found) = (area(&contours, rule, (x, y)), i128::from(enough.at(x, y)));
+        let error = (exact * 255 - found * PIXEL).abs() * 1_000_000 / PIXEL;
+        assert!(error <= 500_000 + 8_300 * corners as i128, "{error} millionths at ({x}, {y}): {contours:?}");
+        let tiny = corners as i128;
+        assert!(exact > tiny || found == 0, "an empty pixel is tinted: ({x}, {y}) of {contours:?}");
+        assert!(exact < PIXEL - tiny || found == 255, "a full pixel is tinted: ({x}, {y}) of {contours:?}");
+    }
+    behind_a_mask(&mut input, &vertices, rule);
+}
+
+/// A polygon behind a mask of random levels, and the same one added up over a ground.
+fn behind_a_mask(input: &mut Input<'_>, vertices: &[PointFx], rule: FillRule) {
+    let window = Rect::new(0, 0, 16, 12);
+    let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; vertices.len()], [0; 20]);
+    let mut levels = Levels::new(window);
+    coverage::fill([vertices], rule, &mut table, &mut cells, window, &mut levels).expect("enough slots");
+    let (mut ram, mut shades, mut memory) = ([9; 16 * 12], [0; 16 * 12], [Sum::EMPTY; 16 * 12]);
+    shades.fill_with(|| input.byte());
+    let mask = Bitmap::<Gray8>::new(&shades, 16, 12).expect("the right size");
+    let (color, old) = (input.byte(), input.byte());
+    let mut frame = Framebuffer::<Gray8>::new(&mut ram, 16, 12).expect("the right size");
+    frame.clear(Gray8::new(old));
+    let paint = Masked::new(mask, Cover(Gray8::new(color)));
+    frame.fill_polygon_aa(vertices, rule, &mut table, &mut cells, paint).expect("enough slots");
+    let mut sums = Accumulator::new(&mut memory, window).expect("the right size");
+    let add = Add(Rgb888::new(color, color, color));
+    sums.fill_polygon_aa(vertices, rule, &mut table, &mut cells, add).expect("enough slots");
+    // Of `all`, which is odd, so much is the new colour.
+    let mean = |part: u32, all: u32| (2 * (u32::from(old) * (all - part) + u32::from(color) * part) + all) / (2 * all);
+    for (x, y) in (0..12).flat_map(|y| (0..16).map(move |x| (x, y))) {
+        let (level, through) = (u32::from(levels.at(x, y)), u32::from(shades[(y * 16 + x) as usize]));
+        let wanted = mean((2 * level * through + 255) / 510, 255);
+        let got = frame.get((x, y)).expect("a pixel").luma();
+        assert_eq!(u32::from(got), wanted, "({x}, {y}), covered by {level}, let through by {through}");
+        let wanted = if level == 254 { u32::from(color) } else { mean(level, 255) };
+        let got = sums.at(x, y).over(Gray8::new(old)).luma();
+        assert_eq!(u32::from(got), wanted, "the sum at ({x}, {y}), covered by {level}");
+    }
 }
 
 /// Texels at any place of a picture, against a sum over four of them.
