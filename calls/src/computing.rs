@@ -128,6 +128,12 @@ calls! {
     rounded => covered(|table, cells, look| coverage::rounded(area, a.radii, table, cells, window, look).is_ok());
     triangle => covered(|_, cells, look| { coverage::triangle(a.corners_fx(), cells, window, look); true });
     rectangle => covered(|_, _, look| { coverage::rectangle(p, q, window, look); true });
+    [round]
+    sector => covered(|table, cells, look| coverage::sector(ellipse, a.sector, table, cells, window, look).is_ok());
+    ring => covered(|table, cells, look| coverage::ring(ellipse, a.ellipses[1], table, cells, window, look).is_ok());
+    ring_sector => covered(|table, cells, look| {
+        coverage::ring_sector(ellipse, a.ellipses[1], a.sector, (table, cells), window, look).is_ok()
+    });
     [Ramp]
     of_palette => antialias::mixed(a);
     color => Ramp::<_, 7>::new([n, m, 3, 4, 5, 6, 7]).color(a.byte(0));

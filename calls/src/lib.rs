@@ -264,6 +264,15 @@ calls! {
         on.fill_path_aa(Path::new(a.segments), a.rule(), table, cells, Dithered::<_, 4>(c))
     });
     fill_ellipse_aa => with_scratch(|table, cells| on.fill_ellipse_aa(a.ellipses[0], table, cells, Dithered::<_, 4>(c)));
+    fill_sector_aa => with_scratch(|table, cells| {
+        on.fill_sector_aa(a.ellipses[0], a.sector, table, cells, Dithered::<_, 4>(c))
+    });
+    fill_ring_aa => with_scratch(|table, cells| {
+        on.fill_ring_aa(a.ellipses[0], a.ellipses[1], table, cells, Dithered::<_, 4>(c))
+    });
+    fill_ring_sector_aa => with_scratch(|table, cells| {
+        on.fill_ring_sector_aa(a.ellipses, a.sector, table, cells, Dithered::<_, 4>(c))
+    });
     fill_rounded_aa => with_scratch(|table, cells| on.fill_rounded_aa(a.areas[0], a.radii, table, cells, Solid(c)));
     stroke_path_aa => with_scratch(|table, cells| {
         let stroke = a.stroke.dashed(a.dashes, a.phase);

@@ -11,6 +11,7 @@ use crate::{
     paint::{Brush, Paint},
     pixel::PixelFormat,
     raster::{
+        arc::Sector,
         coverage::{self, CoverageSlot},
         ellipse::Ellipse,
         rounded::Radii,
@@ -123,7 +124,7 @@ pub trait Antialias: Surface {
         coverage::path(path, rule, table, cells, self.window(), Brush::new(self, paint))
     }
 
-    /// Fills a circle or an ellipse.
+    /// Fills a circle or an ellipse. One that is turned is a path: [`Curves::ellipse`](crate::geom::Curves::ellipse).
     ///
     /// # Errors
     /// As for [`fill_polygon_aa`](Self::fill_polygon_aa). Sixteen slots are enough for any ellipse of a screen.
@@ -137,6 +138,55 @@ pub trait Antialias: Surface {
         paint: impl Paint<Self>,
     ) -> Result<(), EdgeTableFull> {
         coverage::ellipse(ellipse, table, cells, self.window(), Brush::new(self, paint))
+    }
+
+    /// Fills a sector of a circle or an ellipse, a slice of a pie.
+    ///
+    /// # Errors
+    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa).
+    #[inline]
+    fn fill_sector_aa(
+        &mut self,
+        ellipse: Ellipse,
+        sector: Sector,
+        table: &mut [CoverageSlot],
+        cells: &mut [i32],
+        paint: impl Paint<Self>,
+    ) -> Result<(), EdgeTableFull> {
+        coverage::sector(ellipse, sector, table, cells, self.window(), Brush::new(self, paint))
+    }
+
+    /// Fills what lies between two circles or ellipses: see [`coverage::ring`].
+    ///
+    /// # Errors
+    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa).
+    #[inline]
+    fn fill_ring_aa(
+        &mut self,
+        outer: Ellipse,
+        inner: Ellipse,
+        table: &mut [CoverageSlot],
+        cells: &mut [i32],
+        paint: impl Paint<Self>,
+    ) -> Result<(), EdgeTableFull> {
+        coverage::ring(outer, inner, table, cells, self.window(), Brush::new(self, paint))
+    }
+
+    /// Fills the part of a ring that lies in a sector: see [`coverage::ring_sector`].
+    ///
+    /// # Errors
+    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa).
+    #[doc(alias("gauge", "drawSmoothArc", "lv_draw_arc"))]
+    #[inline]
+    fn fill_ring_sector_aa(
+        &mut self,
+        [outer, inner]: [Ellipse; 2],
+        sector: Sector,
+        table: &mut [CoverageSlot],
+        cells: &mut [i32],
+        paint: impl Paint<Self>,
+    ) -> Result<(), EdgeTableFull> {
+        coverage::ring_sector(outer, inner, sector, (table, cells), self.window(), Brush::new(self, paint))
     }
 
     /// Fills a rectangle of pixels with rounded corners.

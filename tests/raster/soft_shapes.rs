@@ -8,7 +8,7 @@
 
 use embedded_raster::{
     raster::coverage::{self, CoverageSlot},
-    Ellipse, FillRule, PointFx, Radii, Rect, Stroke,
+    Angle, Ellipse, FillRule, PointFx, Radii, Rect, Sector, Stroke,
 };
 use fixed::types::I24F8;
 use twins::{
@@ -167,4 +167,108 @@ fn strokes_of_lines_are_rectangles() {
     let [a, b] = [PointFx::from_bits(600, 1_500 - 384), PointFx::from_bits(4_200, 1_500 + 384)];
     let rectangle = told(window, |_, _, levels| coverage::rectangle(a, b, window, levels));
     assert!(stroke.levels == rectangle.levels, "{}\n{}", stroke.picture(), rectangle.picture());
+}
+
+/// How much of a pixel lies in an ellipse and in a sector around its centre, from one angle clockwise up to another: 32 x 32 samples.
+fn covered_by_sector(centre: (f64, f64), radii: (f64, f64), (from, to): (f64, f64), (x, y): (i32, i32)) -> f64 {
+    let turn = std::f64::consts::TAU;
+    let inside = |i: i32, j: i32| {
+        let place = |pixel: i32, part: i32, middle: f64| f64::from(pixel) + (f64::from(part) + 0.5) / 32.0 - middle;
+        let (u, v) = (place(x, i, centre.0), place(y, j, centre.1));
+        (u / radii.0).hypot(v / radii.1) < 1.0 && (v.atan2(u) - from).rem_euclid(turn) < (to - from).rem_euclid(turn)
+    };
+    let all = (0..32 * 32).filter(|n| inside(n % 32, n / 32)).count();
+    all as f64 / 1024.0
+}
+
+#[test]
+fn sectors_and_rings_cover_what_lies_in_them() {
+    let (mut rng, window) = (Rng::new(1_530), Rect::new(-15, -15, 16, 16));
+    let mut worst = 0.0_f64;
+    for i in 0..cases(60) {
+        let centre = (rng.int(-1_500, 1_500), rng.int(-1_500, 1_500));
+        let reach = rng.pick(&[1_500, 4_000, 9_000, 200_000]);
+        let rx = rng.int(reach / 3, reach);
+        let ry = if i % 3 == 0 { rng.int(reach / 3, reach) } else { rx };
+        // Quarters and eighths, where curves end, and a turn less a little; and any others.
+        let eighth = |rng: &mut Rng| Angle::turns(rng.below(8) as u32, 8);
+        let from = if i % 2 == 0 { eighth(&mut rng) } else { Angle::from_bits(rng.bits() as u32) };
+        let to = match i % 5 {
+            0 => from + Angle::from_bits(rng.pick(&[1 << 10, 1 << 20, 1 << 31, (1 << 31) + 5, u32::MAX - 900])),
+            1 | 2 => eighth(&mut rng),
+            _ => Angle::from_bits(rng.bits() as u32),
+        };
+        let ellipse = |shrink: i32| {
+            let radius = |r: i32| I24F8::from_bits(r / shrink);
+            Ellipse::new(PointFx::from_bits(centre.0, centre.1), radius(rx), radius(ry))
+        };
+        let units = |n: i32| f64::from(n) / 256.0;
+        let (middle, radii) = ((units(centre.0), units(centre.1)), (units(rx), units(ry)));
+        let turns = |angle: Angle| f64::from(angle.to_bits()) / 4_294_967_296.0 * std::f64::consts::TAU;
+        let sector = Sector::new(from, to);
+        let slice = told(window, |table, cells, levels| {
+            coverage::sector(ellipse(1), sector, table, cells, window, levels).expect("enough slots");
+        });
+        let part = told(window, |table, cells, levels| {
+            coverage::ring_sector(ellipse(1), ellipse(2), sector, (table, cells), window, levels)
+                .expect("enough slots");
+        });
+        let ring = told(window, |table, cells, levels| {
+            coverage::ring(ellipse(1), ellipse(2), table, cells, window, levels).expect("enough slots");
+        });
+        for (x, y) in (-15..16).flat_map(|y| (-15..16).map(move |x| (x, y))) {
+            let all = |(rx, ry): (f64, f64)| covered_by_sector(middle, (rx, ry), (turns(from), turns(to)), (x, y));
+            let (outer, half) = (all(radii), (units(rx / 2), units(ry / 2)));
+            let disc = |(rx, ry)| covered_by_ellipse(middle, (rx, ry), (x, y));
+            for (name, got, wanted) in [
+                ("sector", slice.at(x, y), outer),
+                ("part of a ring", part.at(x, y), outer - all(half)),
+                ("ring", ring.at(x, y), disc(radii) - disc(half)),
+            ] {
+                // Samples are off by a 64th of a pixel where a side goes straight up or down: by four 255ths, and two sides by eight.
+                let error = (f64::from(got) - wanted * 255.0).abs();
+                worst = worst.max(error);
+                let what =
+                    format!("{:?} to {:?} around {centre:?}, radii {rx} and {ry}", from.to_degrees(), to.to_degrees());
+                assert!(error <= 12.5, "{name}: {error} of a 255th at ({x}, {y}): {what}");
+            }
+        }
+    }
+    println!("sectors and rings are at most {worst} 255ths off samples");
+}
+
+#[test]
+fn sectors_that_are_all_or_nothing() {
+    let window = Rect::new(-2, -2, 30, 30);
+    let (disc, hole) = (
+        Ellipse::circle(PointFx::px(14, 13), I24F8::from_num(11)),
+        Ellipse::circle(PointFx::px(14, 13), I24F8::from_num(6)),
+    );
+    let levels = |shape: &dyn Fn(&mut [CoverageSlot], &mut [i32], &mut Levels)| told(window, shape).levels;
+    let whole =
+        levels(&|table, cells, levels| coverage::ellipse(disc, table, cells, window, levels).expect("enough slots"));
+    let ring =
+        levels(&|table, cells, levels| coverage::ring(disc, hole, table, cells, window, levels).expect("enough slots"));
+    let of = |sector: Sector| {
+        let slice = levels(&|table, cells, levels| {
+            coverage::sector(disc, sector, table, cells, window, levels).expect("enough slots")
+        });
+        let part = levels(&|table, cells, levels| {
+            coverage::ring_sector(disc, hole, sector, (table, cells), window, levels).expect("enough slots");
+        });
+        (slice, part)
+    };
+    assert!(of(Sector::slice(0, 3, 3)) == (whole.clone(), ring.clone()), "a whole turn");
+    assert!(of(Sector::slice(1, 0, 3)) == (vec![0; whole.len()], vec![0; ring.len()]), "nothing");
+    // Slices of a pie add up to all of it, as shapes side by side do: to a 255th for each.
+    let mut sums = (vec![0_u32; whole.len()], vec![0_u32; ring.len()]);
+    for slice in 0..7 {
+        let (slice, part) = of(Sector::slice(slice, 1, 7));
+        for (sum, level) in sums.0.iter_mut().zip(slice).chain(sums.1.iter_mut().zip(part)) {
+            *sum += u32::from(level);
+        }
+    }
+    let near =
+        |sums: &[u32], whole: &[u8]| sums.iter().zip(whole).all(|(&sum, &level)| sum.abs_diff(level.into()) <= 4);
+    assert!(near(&sums.0, &whole) && near(&sums.1, &ring), "slices of a pie");
 }

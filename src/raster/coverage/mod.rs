@@ -43,6 +43,7 @@
 mod fill;
 mod line;
 mod pair;
+mod round;
 mod row;
 mod shapes;
 mod slot;
@@ -52,6 +53,7 @@ mod true_area;
 pub use self::{
     fill::{cells, extent, fill, fill_true},
     line::line,
+    round::{ring, ring_sector, sector},
     shapes::{ellipse, path, path_true, rectangle, rounded, stroke, stroke_polyline, stroke_true, triangle},
     slot::CoverageSlot,
 };

@@ -67,7 +67,7 @@ pub struct Sector {
 /// How much of a turn a sector has.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Extent {
+pub(super) enum Extent {
     Nothing,
     /// Half a turn or less.
     Narrow,
@@ -150,6 +150,12 @@ impl Sector {
     /// Whether it has more than half a turn.
     pub(super) fn is_wide(&self) -> bool {
         matches!(self.extent, Extent::Wide | Extent::Everything)
+    }
+
+    /// Its first direction, the one after its last, and how much lies between.
+    #[inline]
+    pub(super) const fn ends(&self) -> ((i32, i32), (i32, i32), Extent) {
+        (self.from, self.to, self.extent)
     }
 
     /// Whether a place lies in it, as seen from the centre, for distances below `2^32`.

@@ -1,0 +1,57 @@
+//! The coverage of parts of ellipses: sectors, rings, and sectors of rings.
+
+use super::{shapes::path, slot::CoverageSlot};
+use crate::{
+    error::EdgeTableFull,
+    geom::fill_rule::FillRule,
+    raster::{arc::Sector, ellipse::Ellipse, round::Smooth},
+    span::{Rect, Sink},
+};
+
+/// Tells what a sector of an ellipse covers, a slice of a pie. Its directions are those seen from the centre.
+///
+/// # Errors
+/// As for [`fill`](super::fill). Eighteen slots are enough for any sector of a screen.
+pub fn sector(
+    ellipse: Ellipse,
+    sector: Sector,
+    table: &mut [CoverageSlot],
+    cells: &mut [i32],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    path(Smooth::sector(&ellipse, sector).path(), FillRule::NonZero, table, cells, window, sink)
+}
+
+/// Tells what lies between two ellipses: in one of them, and not in both. If `inner` lies inside of `outer`, this is a ring.
+///
+/// # Errors
+/// As for [`fill`](super::fill).
+pub fn ring(
+    outer: Ellipse,
+    inner: Ellipse,
+    table: &mut [CoverageSlot],
+    cells: &mut [i32],
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    let [outer, inner] = [outer, inner].map(|ellipse| Smooth::ellipse(&ellipse));
+    path(outer.path().into_iter().chain(inner.path()), FillRule::EvenOdd, table, cells, window, sink)
+}
+
+/// Tells what a sector of a ring covers, as a gauge has it: from an arc of `outer` to one of `inner`, which have the same centre. If they
+/// do not, the ends of each arc are where it has the directions of the sector as seen from its own centre.
+///
+/// # Errors
+/// As for [`fill`](super::fill).
+pub fn ring_sector(
+    outer: Ellipse,
+    inner: Ellipse,
+    sector: Sector,
+    (table, cells): (&mut [CoverageSlot], &mut [i32]),
+    window: Rect,
+    sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    let [there, back] = Smooth::ring_sector(&outer, &inner, sector);
+    path(there.path().into_iter().chain(back.path()), FillRule::EvenOdd, table, cells, window, sink)
+}
