@@ -14,23 +14,23 @@ use std::{env, fs, path::Path};
 
 use embedded_graphics_core::{
     geometry::Point,
-    pixelcolor::{Gray4, Rgb565, Rgb888, RgbColor},
+    pixelcolor::{BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor},
 };
 use embedded_raster::{
     buffer_bytes,
     geom::At,
-    paint::{Bayer, Linear, Outside, Radial},
+    paint::{Bayer, Cover, Linear, Masked, Outside, Radial},
     pipeline::{Pipeline, Vertex},
     pixel::{Channels, EGA},
     px,
     raster::{
-        ellipse,
+        coverage, ellipse,
         flood::{Connectivity, FloodSlot},
         line, rectangle, triangle,
     },
     surface::texture::{Clamp, Mirror, Repeat, Texture},
-    Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1, Index2, Index4, Index8,
-    Paint, Palette, PointFx, Rect, Stroke, Surface, Vec3,
+    Antialias, Bitmap, Canvas, ClippedSpan, CoverageSlot, EdgeSlot, Ellipse, Error, FillRule, Framebuffer, Index1,
+    Index2, Index4, Index8, Paint, Palette, PointFx, Rect, Stroke, Surface, Vec3,
 };
 use embedded_raster_simulator::{
     teapot::{draw, Camera, Patches, View},
@@ -69,7 +69,7 @@ const PAGES: [Page; 4] = [
     Page {
         text: "src/paint/mod.rs",
         data: "src/paint/pictures.md",
-        programs: &[("gradients", gradients)],
+        programs: &[("gradients", gradients), ("masks", masks)],
         others: &[],
         files: &[],
     },
@@ -176,6 +176,28 @@ fn gradients() -> Result<Picture, Error> {
 
     let corners = [(100, 44), (120, 4), (140, 44)].map(|(x, y)| PointFx::px(x, y));
     frame.shade_triangle_fx(corners, [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE], |color| color)?;
+    Ok(Picture::of(&frame).zoomed(ZOOM))
+}
+
+fn masks() -> Result<Picture, Error> {
+    let (mut bits, mut shades) = ([0; buffer_bytes::<BinaryColor>(144, 48)], [0; 144 * 48]);
+    let (mut table, mut cells) = ([CoverageSlot::EMPTY; 16], [0; coverage::cells(144)]);
+    let disc = |x| Ellipse::circle(PointFx::px(x, 24), px(21));
+    let mut hard = Framebuffer::<BinaryColor>::new(&mut bits, 144, 48)?;
+    hard.fill_ellipse_fx(disc(24), BinaryColor::On);
+    let mut soft = Framebuffer::<Gray8>::new(&mut shades, 144, 48)?;
+    soft.fill_ellipse_aa(disc(72), &mut table, &mut cells, Cover(Gray8::WHITE))?;
+    let fade = Linear::new([PointFx::px(99, 0), PointFx::px(141, 0)], Outside::Clamp, |level, _| Gray8::new(level));
+    soft.paint(fade, |window, brush| rectangle::fill(Rect::new(99, 3, 141, 45), window, brush));
+
+    let mut ram = [0; buffer_bytes::<Rgb565>(144, 48)];
+    let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 144, 48)?;
+    for x in (-48..144).step_by(12) {
+        let stripe = [(x, 48), (x + 48, 0), (x + 54, 0), (x + 6, 48)].map(|(x, y)| PointFx::px(x, y));
+        let (rule, yellow) = (FillRule::NonZero, Cover(Rgb565::YELLOW));
+        frame.fill_polygon_aa(&stripe, rule, &mut table, &mut cells, Masked::new(hard.as_bitmap(), yellow))?;
+        frame.fill_polygon_aa(&stripe, rule, &mut table, &mut cells, Masked::new(soft.as_bitmap(), yellow))?;
+    }
     Ok(Picture::of(&frame).zoomed(ZOOM))
 }
 

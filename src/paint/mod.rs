@@ -51,6 +51,40 @@
 //! ```
 //!
 //! ![A square from yellow to blue, a ball with a light on it, and a triangle from red over green to blue][gradients]
+//!
+//! A paint behind a mask is clipped to a shape, or faded by one: see [`Masked`]. Any frame is a mask, drawn by whatever draws.
+//! ```
+//! use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565, RgbColor};
+//! use embedded_raster::{
+//!     buffer_bytes, paint::{Cover, Linear, Masked, Outside}, raster::{coverage, rectangle}, px, Antialias, Canvas, CoverageSlot,
+//!     Ellipse, FillRule, Framebuffer, PointFx, Rect,
+//! };
+//!
+//! let (mut bits, mut shades) = ([0; buffer_bytes::<BinaryColor>(144, 48)], [0; 144 * 48]);
+//! let (mut table, mut cells) = ([CoverageSlot::EMPTY; 16], [0; coverage::cells(144)]);
+//! let disc = |x| Ellipse::circle(PointFx::px(x, 24), px(21));
+//! let mut hard = Framebuffer::<BinaryColor>::new(&mut bits, 144, 48)?;
+//! hard.fill_ellipse_fx(disc(24), BinaryColor::On);
+//! let mut soft = Framebuffer::<Gray8>::new(&mut shades, 144, 48)?;
+//! soft.fill_ellipse_aa(disc(72), &mut table, &mut cells, Cover(Gray8::WHITE))?;
+//! let fade = Linear::new([PointFx::px(99, 0), PointFx::px(141, 0)], Outside::Clamp, |level, _| Gray8::new(level));
+//! soft.paint(fade, |window, brush| rectangle::fill(Rect::new(99, 3, 141, 45), window, brush));
+//!
+//! let mut ram = [0; buffer_bytes::<Rgb565>(144, 48)];
+//! let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 144, 48)?;
+//! for x in (-48..144).step_by(12) {
+//!     let stripe = [(x, 48), (x + 48, 0), (x + 54, 0), (x + 6, 48)].map(|(x, y)| PointFx::px(x, y));
+//!     let (rule, yellow) = (FillRule::NonZero, Cover(Rgb565::YELLOW));
+//!     frame.fill_polygon_aa(&stripe, rule, &mut table, &mut cells, Masked::new(hard.as_bitmap(), yellow))?;
+//!     frame.fill_polygon_aa(&stripe, rule, &mut table, &mut cells, Masked::new(soft.as_bitmap(), yellow))?;
+//! }
+//! # Ok::<(), embedded_raster::Error>(())
+//! ```
+//!
+//! ![Yellow stripes in a disc with hard rims, in one with soft rims, and in a box where they fade in from the left][masks]
+//!
+//! Shapes side by side, as the countries of a map, leave no seams if they are [added](Add) up before they are seen: see
+//! [`Accumulator`](crate::surface::Accumulator).
 #![doc = include_str!("pictures.md")]
 
 mod add;
