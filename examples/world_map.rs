@@ -7,8 +7,11 @@ use std::{cmp::Reverse, error::Error, fs, process::ExitCode};
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
-    buffer_bytes, pixel::row_bytes, pixel::Xrgb8888, surface::Counter, EdgeSlot, Framebuffer, Index1, Index2, Index4,
-    Index8,
+    buffer_bytes,
+    pixel::{row_bytes, Channels, Xrgb8888},
+    raster::coverage,
+    surface::{Accumulator, Counter, Sum},
+    CoverageSlot, EdgeSlot, Framebuffer, Index1, Index2, Index4, Index8,
 };
 use embedded_raster_simulator::{
     finish, show,
@@ -18,8 +21,9 @@ use embedded_raster_simulator::{
 
 const USAGE: &str = "\
 usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectangular|robinson|miller]
-                 [--band ROWS] [--input FILE] [--output FILE.png] [--window]
+                 [--antialias] [--band ROWS] [--input FILE] [--output FILE.png] [--window]
 
+--antialias        soft rims, at 16, 24 or 32 bits: what countries cover of a pixel is added up, so there is no seam between them
 --band ROWS        draws the screen in bands of that many rows: the same picture with less memory
 --input FILE       another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
 --output FILE.png  where the picture goes; world_map.png unless told
@@ -28,6 +32,9 @@ usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectan
 /// Edges of the scratch table, at 32 bytes each. No row crosses more than 24 of one country and 80 of all together; where a
 /// whole shape has more, the filler works on fewer rows at a time.
 const EDGES: usize = 80;
+
+/// Sides that touch a row of one country, at 44 bytes each.
+const TOUCHED: usize = 120;
 
 fn main() -> ExitCode {
     finish("world_map", run(lexopt::Parser::from_env()))
@@ -65,6 +72,12 @@ struct Drawing {
 
 /// Draws at the depth that was asked for.
 fn draw(world: &World, options: &Options, turns: usize) -> Result<Drawing, embedded_raster::Error> {
+    match (options.antialias, options.bits) {
+        (true, 24) => return draw_softly::<Rgb888>(world, options),
+        (true, 32) => return draw_softly::<Xrgb8888>(world, options),
+        (true, _) => return draw_softly::<Rgb565>(world, options),
+        (false, _) => {}
+    }
     match options.bits {
         1 => draw_as::<Index1>(world, options, turns),
         2 => draw_as::<Index2>(world, options, turns),
@@ -97,6 +110,31 @@ fn draw_as<C: Depth>(world: &World, options: &Options, turns: usize) -> Result<D
         picture: C::picture(&frame, turns),
         memory: row_bytes::<C>(width) * usize::from(rows),
         pixels: counter.pixels,
+    })
+}
+
+/// Draws band by band with soft rims: all that a pixel has is added up, and then written, once.
+fn draw_softly<C: Depth + Channels>(world: &World, options: &Options) -> Result<Drawing, embedded_raster::Error> {
+    let Screen { width, height, .. } = options.screen;
+    let rows = options.band.unwrap_or(height).clamp(1, height.max(1));
+    let mut table = [CoverageSlot::EMPTY; TOUCHED];
+    let mut cells = vec![0; coverage::cells(width)];
+    let mut memory = vec![Sum::EMPTY; usize::from(width) * usize::from(rows)];
+    let mut ram = vec![0; buffer_bytes::<C>(width, rows)];
+    let mut screen = Vec::with_capacity(buffer_bytes::<C>(width, height));
+    for start in (0..height).step_by(rows.into()) {
+        let end = height.min(start.saturating_add(rows));
+        let mut frame = Framebuffer::<C>::band(&mut ram, width, height, start..end)?;
+        let mut sums = Accumulator::new(&mut memory, frame.window())?;
+        world.add(&mut sums, &mut table, &mut cells)?;
+        sums.show(&mut frame, Sum::over);
+        screen.extend_from_slice(frame.row_bytes(start..end));
+    }
+    let frame = Framebuffer::<C>::new(&mut screen, width, height)?;
+    Ok(Drawing {
+        picture: C::picture(&frame, 0),
+        memory: row_bytes::<C>(width) * usize::from(rows) + size_of_val(&memory[..]),
+        pixels: u64::from(width) * u64::from(height),
     })
 }
 
@@ -183,6 +221,7 @@ struct Options {
     bits: u32,
     screen: Screen,
     layer: Layer,
+    antialias: bool,
     band: Option<u16>,
     input: Option<String>,
     output: String,
@@ -195,11 +234,20 @@ impl Options {
         use lexopt::prelude::*;
         let screen = Screen { projection: Projection::default(), width: 320, height: 240 };
         let output = "world_map.png".into();
-        let mut options =
-            Self { bits: 4, screen, layer: Layer::Countries, band: None, input: None, output, window: false };
+        let mut options = Self {
+            bits: 4,
+            screen,
+            layer: Layer::Countries,
+            antialias: false,
+            band: None,
+            input: None,
+            output,
+            window: false,
+        };
         while let Some(argument) = arguments.next()? {
             match argument {
                 Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
+                Long("antialias") => options.antialias = true,
                 Long("size") => {
                     (options.screen.width, options.screen.height) = arguments.value()?.parse_with(parse_size)?;
                 }
@@ -211,6 +259,10 @@ impl Options {
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
             }
+        }
+        if options.antialias {
+            // Colours that can be mixed.
+            options.bits = options.bits.max(16);
         }
         Ok(Some(options))
     }

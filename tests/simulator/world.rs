@@ -1,11 +1,24 @@
 //! The countries of the world: real contours with shared borders, an enclave, a lake between five neighbours, and a date line.
 
-use embedded_graphics::{pixelcolor::BinaryColor, prelude::Point};
-use embedded_raster::{
-    buffer_bytes, Canvas, ClippedSpan, EdgeSlot, EdgeTableFull, Error, FillRule, Framebuffer, Index1, Index4, Index8,
-    PixelFormat, PointFx, Rect, Surface,
+use embedded_graphics::{
+    pixelcolor::{BinaryColor, Gray8, Rgb888},
+    prelude::{GrayColor, Point},
 };
-use embedded_raster_simulator::world::{Depth, Layer, Map, Place, Projection, Screen, World};
+use embedded_raster::{
+    buffer_bytes,
+    paint::{Add, Cover},
+    raster::coverage,
+    surface::{Accumulator, Rows, Sum},
+    Antialias, Canvas, ClippedSpan, CoverageSlot, EdgeSlot, EdgeTableFull, Error, FillRule, Frame, Framebuffer, Index1,
+    Index4, Index8, PixelFormat, PointFx, Rect, Surface,
+};
+use embedded_raster_simulator::{
+    world::{Depth, Layer, Map, Part, Place, Projection, Screen, World},
+    Picture,
+};
+use twins::coverage::Levels;
+
+use crate::pictures::compare;
 
 const SIZES: [(u16, u16); 6] = [(16, 9), (160, 120), (320, 240), (480, 800), (720, 360), (1001, 777)];
 
@@ -138,6 +151,85 @@ fn banded<C: Depth>(world: &World, layer: Layer, rows: u16, edges: usize) -> Res
         sent.extend_from_slice(frame.row_bytes(band));
     }
     Ok(sent)
+}
+
+/// What each country covers of each pixel.
+fn coverage_of(world: &World) -> Vec<Levels> {
+    let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; 400], vec![0; 400]);
+    let window = world.window();
+    let mut levels = |country: &Vec<Vec<PointFx>>| {
+        let mut levels = Levels::new(window);
+        coverage::fill(country, FillRule::EvenOdd, &mut table, &mut cells, window, &mut levels).expect("enough slots");
+        levels
+    };
+    world.countries().iter().map(&mut levels).collect()
+}
+
+/// With soft rims no pixel on a border is lighter than both of the countries that share it; painted one after the other, thousands are.
+#[test]
+fn soft_rims_leave_no_seams() {
+    let map = map();
+    for (width, height, projection) in [(320, 240, Projection::Miller), (217, 160, Projection::Robinson)] {
+        let world = World::new(&map, Screen { projection, width, height });
+        let (window, covered) = (world.window(), coverage_of(&world));
+        // Darker than the ground, each country and its neighbours by another shade.
+        let colors: Vec<u8> = map.colors(Part::LAND_COLORS).into_iter().map(|color| 40 + 16 * color as u8).collect();
+        let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; 400], vec![0; coverage::cells(width)]);
+        let white = || Frame::<_, Rows<Gray8>>::new(vec![255; usize::from(width) * usize::from(height)], width, height);
+        let (mut shown, mut painted) = (white().expect("enough memory"), white().expect("enough memory"));
+        let mut memory = vec![Sum::EMPTY; usize::from(width) * usize::from(height)];
+        let mut sums = Accumulator::new(&mut memory, window).expect("enough memory");
+        for (rings, &grey) in world.countries().iter().zip(&colors) {
+            let (rule, add) = (FillRule::EvenOdd, Add(Rgb888::new(grey, grey, grey)));
+            sums.fill_contours_aa(rings, rule, &mut table, &mut cells, add).expect("enough slots");
+            painted
+                .fill_contours_aa(rings, rule, &mut table, &mut cells, Cover(Gray8::new(grey)))
+                .expect("enough slots");
+        }
+        sums.show(&mut shown, Sum::over);
+        let (mut borders, mut seams) = (0, [0, 0]);
+        for (x, y) in (0..window.y1).flat_map(|y| (0..window.x1).map(move |x| (x, y))) {
+            let here = || covered.iter().zip(&colors).filter(|(levels, _)| levels.at(x, y) > 0);
+            let sum: u32 = here().map(|(levels, _)| u32::from(levels.at(x, y))).sum();
+            if here().count() == 2 && sum >= 254 {
+                borders += 1;
+                let lightest = here().map(|(_, &grey)| grey).max().expect("two");
+                for (seams, frame) in seams.iter_mut().zip([&shown, &painted]) {
+                    *seams += usize::from(frame.get((x, y)).expect("a pixel").luma() > lightest);
+                }
+            }
+        }
+        println!("{width} x {height}: of {borders} pixels on borders, {seams:?} are lighter than both sides");
+        assert!(borders > 800 && seams[0] == 0 && seams[1] > borders / 4, "{seams:?} of {borders}");
+    }
+}
+
+/// Sums are of bands as well as of the screen; and what is shown is what it was.
+#[test]
+fn soft_rims_in_bands() {
+    let (map, (width, height)) = (map(), (200, 150));
+    let world = World::new(&map, Screen { projection: Projection::Robinson, width, height });
+    let draw = |rows: u16| {
+        let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; 400], vec![0; 50]);
+        let mut memory = vec![Sum::EMPTY; usize::from(width) * usize::from(rows)];
+        let mut ram = vec![0; buffer_bytes::<Rgb888>(width, rows)];
+        let mut sent = vec![];
+        for start in (0..height).step_by(rows.into()) {
+            let band = start..height.min(start + rows);
+            let mut frame = Framebuffer::<Rgb888>::band(&mut ram, width, height, band.clone()).expect("enough memory");
+            let mut sums = Accumulator::new(&mut memory, frame.window()).expect("enough memory");
+            world.add(&mut sums, &mut table, &mut cells).expect("enough slots");
+            sums.show(&mut frame, Sum::over);
+            sent.extend_from_slice(frame.row_bytes(band));
+        }
+        sent
+    };
+    let mut whole = draw(height);
+    for rows in [1, 7, 64] {
+        assert!(draw(rows) == whole, "{rows} rows");
+    }
+    let frame = Framebuffer::<Rgb888>::new(&mut whole, width, height).expect("enough memory");
+    assert_eq!(compare("world-soft", &Picture::of(&frame)), None, "the picture");
 }
 
 #[test]

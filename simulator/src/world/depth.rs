@@ -44,7 +44,8 @@ impl Part {
         }
     }
 
-    fn rgb(self) -> Rgb888 {
+    /// Its colour.
+    pub fn rgb(self) -> Rgb888 {
         PALETTE.get(self.index()).unwrap_or(Rgb888::BLACK)
     }
 }

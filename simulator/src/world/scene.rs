@@ -3,7 +3,11 @@
 use std::collections::BTreeSet;
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::BinaryColor};
-use embedded_raster::{surface::Counter, Canvas, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect, Surface};
+use embedded_raster::{
+    paint::Add,
+    surface::{Accumulator, Counter},
+    Antialias, Canvas, CoverageSlot, EdgeSlot, EdgeTableFull, FillRule, PointFx, Rect, Surface,
+};
 
 use super::{Map, Part, Place, Screen};
 
@@ -108,6 +112,34 @@ impl World {
                 surface.draw_line(a, b, ink(part));
             }
         }
+        Ok(())
+    }
+
+    /// Adds it to sums, with soft rims: what is in front comes first, and the sea fills what is left. Countries have no lines around them:
+    /// they end where their neighbours begin.
+    ///
+    /// # Errors
+    /// [`EdgeTableFull`] if a row touches more sides of a country than `table` holds.
+    pub fn add(
+        &self,
+        sums: &mut Accumulator<'_>,
+        table: &mut [CoverageSlot],
+        cells: &mut [i32],
+    ) -> Result<(), EdgeTableFull> {
+        let corners = self.screen.corners();
+        let paper = [&corners[..], &self.rim];
+        sums.fill_contours_aa(paper, FillRule::EvenOdd, table, cells, Add(Part::Paper.rgb()))?;
+        for (country, (rings, &color)) in self.countries.iter().zip(&self.colors).enumerate() {
+            let paint = Add(Part::Land { country, color }.rgb());
+            sums.fill_contours_aa(rings, FillRule::EvenOdd, table, cells, paint)?;
+        }
+        for line in &self.grid {
+            for ends in line.windows(2) {
+                let [a, b] = [ends[0], ends[1]].map(PointFx::centre_of);
+                sums.draw_line_aa(a, b, cells, Add(Part::Grid.rgb()));
+            }
+        }
+        sums.fill_window(Part::Sea.rgb());
         Ok(())
     }
 
