@@ -4,7 +4,7 @@ mod finder;
 
 use std::{collections::BTreeMap, path::Path};
 
-use calls::{computing, damage, frames, paths, present, shading, space, DRAWING, READING};
+use calls::{blending, computing, damage, frames, paths, present, shading, space, DRAWING, READING};
 use finder::Source;
 
 /// What need not be in the list, by name or by owner, and why.
@@ -22,6 +22,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Index", "`assemble` calls it"),
     ("Texture::clone", "a copy"),
     ("Sheet::clone", "a copy"),
+    ("Gamma::power", "for constants"),
     ("$vector", "operators of vectors: `Vec3::new`, `Vec4::new` and those beside them are listed with them"),
     ("PixelFormat", "every call on a frame packs and unpacks"),
     ("Surface::window", "every call asks for it"),
@@ -50,6 +51,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Rgb444", "the same"),
     ("Rgb888", "the same"),
     ("Xrgb8888", "the same"),
+    ("Argb8888::from", "out of its bits"),
     ("RawU8", "the same"),
     ("RawU16", "the same"),
     ("RawU32", "the same"),
@@ -81,6 +83,7 @@ fn the_list_is_complete() {
         frames::NAMES,
         computing::NAMES,
         damage::NAMES,
+        blending::NAMES,
         paths::NAMES,
         present::NAMES,
         shading::NAMES,

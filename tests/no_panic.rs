@@ -24,8 +24,8 @@ use embedded_raster::{
     pixel::{Be, Lsb0, Rgb444, Xrgb8888},
     raster::polygon,
     surface::{Counter, Damage, Grid, Packed12, Pages, Planes, Rows},
-    Angle, Bitmap, Canvas, Error, FillRule, Frame, Index1, Index2, Index4, Index8, Layout, Mat4, Palette, Patch, Path,
-    PixelFormat, PointFx, Rect, Vec4,
+    Angle, Bitmap, Canvas, Error, FillRule, Frame, Framebuffer, Index1, Index2, Index4, Index8, Layout, Mat4, Palette,
+    Patch, Path, PixelFormat, PointFx, Rect, Vec4,
 };
 use fixed::types::I16F16;
 use twins::{
@@ -339,6 +339,22 @@ fn what_hands_frames_to_a_display() {
         };
         for k in 0..=calls::present::NAMES.len() {
             black_box(calls::present::call(&arguments, k));
+        }
+    }
+}
+
+#[test]
+fn what_mixes_colors() {
+    let (mut rng, mut scratch) = (Rng::new(893), Scratch::new(893));
+    for _ in 0..twins::rng::cases(10_000) {
+        let bytes: Vec<u8> = (0..150).flat_map(|_| rng.bits().to_le_bytes()).collect();
+        let mut ram = bytes.clone();
+        let (width, height) = (rng.below(9) as u16, rng.below(9) as u16);
+        let mut frame = Framebuffer::<Rgb565>::new(&mut ram, width, height).expect("enough bytes");
+        for number in 0..=calls::blending::NAMES.len() {
+            let mut arguments =
+                scratch.arguments::<Rows<Index1>>(&mut Input(&bytes), Ground::Wild, [Index1::new(0); 2]);
+            black_box(calls::blending::call(&mut frame, &mut arguments, number));
         }
     }
 }

@@ -10,6 +10,7 @@
 //! | [`frames::call`] | what only memory has | a frame |
 //! | [`paths::call`] | what makes paths, from texts too | nothing |
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
+//! | [`blending::call`] | what mixes colours | a frame of 16 bits |
 //! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
 //! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
 //! | [`damage::call`] | what has changed, and what is to be sent of it | a list of rectangles |
@@ -21,6 +22,7 @@
 
 pub mod answer;
 pub mod antialias;
+pub mod blending;
 pub mod computing;
 pub mod damage;
 pub mod frames;
@@ -33,13 +35,14 @@ use antialias::with_scratch;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
-    pixelcolor::BinaryColor,
+    pixelcolor::{BinaryColor, Gray4},
     primitives::Rectangle,
     Pixel,
 };
 use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
+    paint::{depth, DepthShade, Dithered, Linear, Masked, Radial, Ramp, Shade, ShadeSome},
     paint::{depth, DepthShade, Dithered, Linear, Pattern, Radial, Ramp, Shade, ShadeSome, Tiles},
     pipeline::Dot,
     pixel::Lsb0,
@@ -49,9 +52,9 @@ use embedded_raster::{
         rounded::Align,
         triangle,
     },
-    surface::{Rows, Sheet},
-    Antialias, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, Pictures, PointFx, Radii,
-    Readable, Rect, Sector, Sink, Solid, Span, Stroke, Surface,
+    surface::{Rows, Sheet, Stencil},
+    Antialias, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, Pictures,
+    PointFx, Radii, Readable, Rect, Sector, Sink, Solid, Span, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use shading::with_depths;
@@ -284,6 +287,19 @@ calls! {
     stroke_line_aa => with_scratch(|table, cells| {
         on.stroke_line_aa([a.places[0], a.places[1]], &a.stroke, table, cells, Dithered::<_, 4>(c))
     });
+    blit_mask_aa => Bitmap::<Gray4>::new(a.bytes, 9, 7).map(|mask| {
+        on.blit_mask_aa(a.points[0], &mask.view(a.areas[1]), Dithered::<_, 4>(c));
+        on.blit_mask_aa(a.points[1], &a.mask, Solid(c));
+    });
+    [Masked]
+    new => on.fill_triangle_aa(corners, &mut [], Masked::new(a.mask_msb0, Dithered::<_, 4>(c)));
+    [Stencil]
+    new => {
+        let mut stencil = Stencil::new(on, a.mask);
+        stencil.fill_triangle_fx(corners, c);
+        stencil.blit(a.points[0], &a.picture);
+        stencil.draw_line(a.points[0], a.points[1], c);
+    };
     [Ramp]
     new => on.fill_triangle_aa(corners, &mut [], Ramp::new(a.colors));
     [Surface]
@@ -433,6 +449,8 @@ calls! {
     move_area_keyed => on.move_area_keyed(a.areas[0], a.points[0], a.colors[1]);
     flood_fill => on.flood_fill(a.points[0], a.connectivity(), a.slots, c);
     flood_fill_to => on.flood_fill_to(a.points[0], a.colors[1], a.connectivity(), a.slots, c);
+    [Antialias]
+    blit_with => on.blit_with(a.points[0], &a.picture, |new, old| if new == c { old } else { new });
     [Readable]
     color_at => !window.is_empty() && on.color_at(window.x0, window.y0) == c;
     get => on.get(a.points[0]) == Some(c);

@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use calls::{call, computing, frames, shading, Arguments};
+use calls::{blending, call, computing, frames, shading, Arguments};
 #[cfg(not(target_os = "none"))]
 use embedded_graphics_core::pixelcolor::Gray2;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, Rgb888};
@@ -99,6 +99,12 @@ pub unsafe extern "C" fn paths(text: &Memory, a: &mut Arguments<'_, Rows<Index4>
 pub unsafe extern "C" fn shade(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
     let Some(frame) = m.frame::<Rows<Rgb565>>() else { return 0 };
     shading::call(&frame.as_bitmap(), a, number)
+}
+
+#[no_mangle]
+pub unsafe extern "C" fn blend(m: &Memory, a: &mut Arguments<'_, Rows<Index4>>, number: usize) -> usize {
+    let Some(mut frame) = m.frame::<Rows<Rgb565>>() else { return 0 };
+    blending::call(&mut frame, a, number)
 }
 
 #[no_mangle]
