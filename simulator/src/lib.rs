@@ -11,6 +11,7 @@
 //! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
 //! [`scanout`] is a display over time: what is seen of a buffer that is drawn on while it is shown. [`moving`] has what programs share that
 //! show a scene that moves, and [`heat`](mod@heat) counts how often each pixel is drawn. [`palettes`] reads colour tables.
+//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims, [`gauge`] one with a needle on one bit. [`film`] makes APNG and GIF files of pictures.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -26,6 +27,7 @@ pub mod clock;
 mod difference;
 pub mod film;
 mod finish;
+pub mod gauge;
 pub mod heat;
 pub mod moving;
 pub mod paint;
