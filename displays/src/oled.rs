@@ -50,7 +50,7 @@ impl Oled {
     pub const SSD1306: Self = Self { addressing: Addressing::Windows, columns: 0, pages: 0 };
     /// 128 columns in the middle of 132.
     pub const SH1106: Self = Self { addressing: Addressing::Pages, columns: 2, pages: 0 };
-    /// As SH1106, all of whose columns are seen. SSD1306 in page addressing mode takes the same.
+    /// Addressed like SH1106, with a panel that shows all columns. SSD1306 in page addressing mode takes the same commands.
     pub const SH1107: Self = Self { addressing: Addressing::Pages, columns: 0, pages: 0 };
 
     /// A panel whose first pixel is in this column and page of the controller's memory. Displays of 72 x 40 begin at column 28.
