@@ -15,7 +15,7 @@ use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
     geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, RoundCorners, Segments, Varying},
-    paint::{along, Brush, DepthShade, Paint, Shade},
+    paint::{along, depth, shade, Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
         arc::{self, Sector},
@@ -330,9 +330,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let mut shade = Shade::over(&Facet::new(corners)?, values, color);
-        triangle::fill(corners, self.window(), |span: ClippedSpan| shade.row(self, span));
-        Ok(())
+        shade::fill(self, corners, values, color)
     }
 
     /// [`shade_triangle_fx`](Self::shade_triangle_fx) of the pixels whose depth passes a test: see
@@ -348,16 +346,14 @@ pub trait Canvas: Surface {
         values: [(Z::Number, V); 3],
         depth: &mut Frame<M, Rows<Z>>,
         passes: impl Fn(&Z::Number, &Z::Number) -> bool,
-        mut color: impl FnMut(V) -> Self::Color,
+        color: impl FnMut(V) -> Self::Color,
     ) -> Result<(), TriangleTooLarge>
     where
         Self: Sized,
     {
-        let (facet, window) = (Facet::new(corners)?, self.window().intersection(depth.window()));
-        let mut shade = DepthShade::over(depth, &facet, values, passes, |values, _| Some(color(values)));
-        if !window.is_empty() {
-            triangle::fill(corners, window, |span: ClippedSpan| shade.row(self, span));
-        }
+        let facet = Facet::of_any_size(corners);
+        facet.fits(corners)?;
+        depth::fill((self, depth), (corners, &facet), values, passes, color);
         Ok(())
     }
 

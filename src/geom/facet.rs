@@ -24,7 +24,7 @@ use crate::{
         divisor::{Scale, WideDivisor},
         mixed::Mixed,
         round::{difference, first_centre_from},
-        wide::signed_product,
+        wide::{signed_product, wide_times_small},
     },
 };
 
@@ -64,15 +64,25 @@ impl Facet {
     #[inline]
     pub fn new(corners: [PointFx; 3]) -> Result<Self, TriangleTooLarge> {
         let facet = Self::of_any_size(corners);
-        if facet.extent > Self::MOST {
+        facet.fits(corners)?;
+        Ok(facet)
+    }
+
+    /// Whether it is not too large, where it was made by [`of_any_size`](Self::of_any_size) of these corners.
+    ///
+    /// # Errors
+    /// As those of [`new`](Self::new).
+    #[inline(always)]
+    pub(crate) fn fits(&self, corners: [PointFx; 3]) -> Result<(), TriangleTooLarge> {
+        if self.extent > Self::MOST {
             return Err(too_large(corners));
         }
-        Ok(facet)
+        Ok(())
     }
 
     /// The same, which means nothing for a triangle that is too large. It is where the caller wants it, as it is no part of a
     /// result: its 18 words are not copied.
-    fn of_any_size(corners: [PointFx; 3]) -> Self {
+    pub(crate) fn of_any_size(corners: [PointFx; 3]) -> Self {
         let [a, b, c] = corners.map(bits);
         let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
         let (upper, lower) = (a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1));
@@ -198,6 +208,12 @@ impl Facet {
         self.divisor.scale(Self::SMALL_BITS.wrapping_add(8)).filter(|_| is_small)
     }
 
+    /// Whether it is small: 63 pixels wide and high together, and not smaller than a pixel. So D is from 2^17 to 2^26.
+    #[inline(always)]
+    pub(crate) const fn is_small(&self) -> bool {
+        self.extent <= 63 && self.area >= 1 << 17
+    }
+
     /// Bits of the fraction of slopes in small triangles.
     pub(crate) const SMALL_BITS: u32 = 37;
 
@@ -212,6 +228,14 @@ impl Facet {
         Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
     }
 
+    /// The same of a byte in a triangle of 63 pixels: what is gained in a unit is below 2^22, and the numerator of the start below
+    /// 2^37.
+    #[inline(always)]
+    pub(crate) fn small_bytes(&self, corners: [i32; 3]) -> Option<[u64; 3]> {
+        let scale = self.small_scale(63)?;
+        Some(self.small_slopes(scale, corners, 2, 6))
+    }
+
     /// The same of a number of 16 bits in a triangle of 63 pixels.
     ///
     /// Sides are at most 63 pixels long, and the product of width and height is below 2^26. So what is gained in a unit is below 2^31,
@@ -221,6 +245,33 @@ impl Facet {
     pub(crate) fn word_slopes(&self, corners: [i32; 3]) -> Option<[u64; 3]> {
         let scale = self.small_scale(63)?;
         Some(self.small_slopes(scale, corners, 3, 34))
+    }
+
+    /// The slopes of levels of up to 6 bits in a [small](Self::is_small) triangle.
+    ///
+    /// The numerator of a gain in a unit is below 2^20, so a gain is below 2^48. It is off by at most 1 + 2^-10 units of the fraction.
+    /// The start is computed from the first corner: that is not farther away than 64 pixels, be it from there or from a pixel of the
+    /// triangle, and the way to it is below 2^63. So numbers are off by less than 65 units, and one more for what is cut away; 66 are
+    /// added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The other half of that is more than 2^9
+    /// units.
+    #[inline(always)]
+    pub(crate) fn small_levels(&self, [a, b, c]: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
+        let scale = self.divisor.scale(Self::SMALL_BITS.wrapping_add(8))?;
+        Some([self.levels(scale, a), self.levels(scale, b), self.levels(scale, c)])
+    }
+
+    #[inline(always)]
+    fn levels(&self, scale: Scale, [v0, v1, v2]: [u8; 3]) -> [u64; 3] {
+        let ([b, c], (x, y)) = (self.sides, self.centre_of_first());
+        let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
+        let right = scale.narrow_ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
+        let down = scale.narrow_ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
+        // From a pixel beyond the first one back to the corner: at least half a pixel each way.
+        let (back_x, back_y) = (256_i32.wrapping_sub(x).unsigned_abs(), 256_i32.wrapping_sub(y).unsigned_abs());
+        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
+        let beyond = (u64::from(v0) << Self::SMALL_BITS).wrapping_add((1 << (Self::SMALL_BITS - 1)) + 66);
+        let start = beyond.wrapping_sub((signed_wide(way) >> 8).cast_unsigned()).wrapping_add(right).wrapping_add(down);
+        [start, right, down]
     }
 
     #[inline(always)]

@@ -6,6 +6,7 @@ use fixed::types::{I16F16, I24F8};
 use super::{
     facet::Facet,
     perspective::{Perspective, Runs},
+    small::Small,
     varying::{Fast, Varying},
 };
 use crate::num::cast::{low_u16, low_u8, signed, unsigned};
@@ -122,14 +123,41 @@ tuple!(A 0, B 1, C 2, D 3, E 4, F 5);
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct At(pub Point);
 
+/// The first pixel of a row.
+#[derive(Copy, Clone, Debug)]
+pub struct Place((i32, i32));
+
+impl Small<(i32, i32)> for Place {
+    #[inline(always)]
+    fn skip(&mut self, rows: u32) {
+        self.0 .1 = self.0 .1.wrapping_add(signed(rows));
+    }
+
+    #[inline(always)]
+    fn below(&mut self) {
+        self.skip(1);
+    }
+
+    #[inline(always)]
+    fn run(&self, right: u32) -> (i32, i32) {
+        (self.0 .0.wrapping_add(signed(right)), self.0 .1)
+    }
+}
+
 impl Varying for At {
     type Slopes = (i32, i32);
     type Row = i32;
     type Run = (i32, i32);
+    type Small = Place;
 
     #[inline(always)]
     fn slopes(facet: &Facet, _: [Self; 3]) -> (i32, i32) {
         facet.first()
+    }
+
+    #[inline(always)]
+    fn small(facet: &Facet, _: [Self; 3]) -> Option<Place> {
+        Some(Place(facet.first()))
     }
 
     #[inline(always)]

@@ -22,6 +22,7 @@ pub mod facet;
 pub mod flatten;
 pub mod perspective;
 pub mod polygon;
+pub mod small;
 pub mod space;
 pub mod svg;
 pub mod triangulate;

@@ -33,6 +33,7 @@ use fixed::types::{I16F16, I24F8};
 
 use super::{
     facet::Facet,
+    small::NoSmall,
     varying::{Fast, Pair, Varying},
 };
 use crate::num::{
@@ -567,6 +568,7 @@ impl<V: Numbers> Varying for Perspective<V> {
     type Slopes = Seen<V::Shares>;
     type Row = u32;
     type Run = SeenRun<V::Run>;
+    type Small = NoSmall;
 
     #[inline]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes {
@@ -636,6 +638,7 @@ impl<V: Numbers, const N: u32> Varying for Runs<V, N> {
     type Slopes = Seen<V::Shares>;
     type Row = u32;
     type Run = EvenRun<V::Even, V::End>;
+    type Small = NoSmall;
 
     #[inline]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes {

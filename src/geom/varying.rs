@@ -16,6 +16,7 @@
 //!   48 bits are enough for rows too.
 //! - Bytes are kept with 56 bits of fraction, and 8 before it. A step adds less than 1 + 2 n / D units of 2^-56, with n below
 //!   2^30.6 for a step, and below 2^52 for the start: 2^(13.6 + 41.2) + 2^(1 + 13.6 + 30.6) + 2^53 is below 2^56.
+//! - Over triangles of 63 pixels there is a form with nothing to choose from row to row: see [`small`](super::small).
 //! - Three levels of a colour of 16 bits share 128 bits, 37 for each fraction: see `paint/colors.rs`. Along a row of a large
 //!   triangle, they are computed anew every few pixels, too.
 //!
@@ -31,7 +32,10 @@ use core::fmt::Debug;
 
 use fixed::types::{I16F16, I24F8};
 
-use super::facet::Facet;
+use super::{
+    facet::Facet,
+    small::{NoSmall, Small, Sums},
+};
 use crate::num::{
     cast::{low_u16, low_u32, low_u8, signed, unsigned},
     mixed::Mixed,
@@ -55,9 +59,18 @@ pub trait Varying: Copy {
     type Row: Copy + Debug;
     /// Its value at one pixel, with what it gains from each to the next.
     type Run: Copy + Debug;
+    /// How it changes over a small triangle; [`NoSmall`] if that has no form of its own.
+    type Small: Small<Self::Run>;
 
     /// How it changes over a triangle where it has these values at the corners.
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes;
+
+    /// The same at the first pixel of the box of a [small](Facet::is_small) triangle, in the form for that, if there is one.
+    #[inline(always)]
+    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Self::Small> {
+        let _ = (facet, corners);
+        None
+    }
 
     /// A row so many pixels below the first row of the triangle's box.
     fn row(slopes: &Self::Slopes, down: u32) -> Self::Row;
@@ -298,14 +311,39 @@ impl Level {
     }
 }
 
+impl Small<Level> for Sums<u64> {
+    #[inline(always)]
+    fn skip(&mut self, rows: u32) {
+        self.down(rows);
+    }
+
+    #[inline(always)]
+    fn below(&mut self) {
+        self.step();
+    }
+
+    #[inline(always)]
+    fn run(&self, right: u32) -> Level {
+        let (at, by) = self.start(right);
+        Level { at, by }
+    }
+}
+
 impl Varying for u8 {
     type Slopes = ByteSlopes;
     type Row = u64;
     type Run = Level;
+    type Small = Sums<u64>;
 
     #[inline(always)]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> ByteSlopes {
         ByteSlopes::new(facet, corners)
+    }
+
+    #[inline(always)]
+    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
+        let sums = facet.small_bytes(corners.map(i32::from))?;
+        Some(Sums::shifted(sums, ByteSlopes::BITS - Facet::SMALL_BITS))
     }
 
     #[inline(always)]
@@ -407,16 +445,41 @@ impl Word {
     const BITS: u32 = 48;
 }
 
+impl Small<Word> for Sums<u64> {
+    #[inline(always)]
+    fn skip(&mut self, rows: u32) {
+        self.down(rows);
+    }
+
+    #[inline(always)]
+    fn below(&mut self) {
+        self.step();
+    }
+
+    #[inline(always)]
+    fn run(&self, right: u32) -> Word {
+        let (at, by) = self.start(right);
+        Word { at, by }
+    }
+}
+
 macro_rules! words {
     ($($type:ty, |$n:ident| $value:expr;)*) => {
         $(impl Varying for $type {
             type Slopes = WordSlopes;
             type Row = NumberRow;
             type Run = Word;
+            type Small = Sums<u64>;
 
             #[inline(always)]
             fn slopes(facet: &Facet, corners: [Self; 3]) -> WordSlopes {
                 WordSlopes::new(facet, corners.map(i32::from))
+            }
+
+            #[inline(always)]
+            fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
+                let sums = facet.word_slopes(corners.map(i32::from))?;
+                Some(Sums::shifted(sums, Word::BITS - Facet::SMALL_BITS))
             }
 
             #[inline(always)]
@@ -471,6 +534,7 @@ macro_rules! wide {
             type Slopes = Slopes;
             type Row = NumberRow;
             type Run = Wide;
+            type Small = NoSmall;
 
             #[inline(always)]
             fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
@@ -551,6 +615,7 @@ macro_rules! fast {
             type Slopes = Slopes;
             type Row = NumberRow;
             type Run = Short;
+            type Small = NoSmall;
 
             #[inline(always)]
             fn slopes(facet: &Facet, corners: [Self; 3]) -> Slopes {
@@ -625,6 +690,7 @@ impl Varying for Fast<(I16F16, I16F16)> {
     type Slopes = [Slopes; 2];
     type Row = [NumberRow; 2];
     type Run = Pair;
+    type Small = NoSmall;
 
     #[inline(always)]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> [Slopes; 2] {
@@ -673,9 +739,15 @@ impl Varying for () {
     type Slopes = ();
     type Row = ();
     type Run = ();
+    type Small = ();
 
     #[inline(always)]
     fn slopes(_: &Facet, _: [Self; 3]) {}
+
+    #[inline(always)]
+    fn small(_: &Facet, _: [Self; 3]) -> Option<()> {
+        Some(())
+    }
 
     #[inline(always)]
     fn row((): &(), _: u32) {}
@@ -697,6 +769,7 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
     type Slopes = [V::Slopes; N];
     type Row = [V::Row; N];
     type Run = [V::Run; N];
+    type Small = [V::Small; N];
 
     #[inline(always)]
     fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> Self::Slopes {
@@ -705,6 +778,18 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
             let (b, c) = rest.next().unwrap_or((a, a));
             V::slopes(facet, [a, b, c])
         })
+    }
+
+    #[inline(always)]
+    fn small(facet: &Facet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
+        let mut rest = b.into_iter().zip(c);
+        let sums = a.map(|a| {
+            let (b, c) = rest.next().unwrap_or((a, a));
+            V::small(facet, [a, b, c])
+        });
+        // All of them have one, or none.
+        let first = (*sums.first()?)?;
+        Some(sums.map(|sums| sums.unwrap_or(first)))
     }
 
     #[inline(always)]
@@ -756,10 +841,16 @@ macro_rules! tuple {
             type Slopes = ($($name::Slopes,)*);
             type Row = ($($name::Row,)*);
             type Run = ($($name::Run,)*);
+            type Small = ($($name::Small,)*);
 
             #[inline(always)]
             fn slopes(facet: &Facet, [a, b, c]: [Self; 3]) -> Self::Slopes {
                 ($($name::slopes(facet, [a.$place, b.$place, c.$place]),)*)
+            }
+
+            #[inline(always)]
+            fn small(facet: &Facet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
+                Some(($($name::small(facet, [a.$place, b.$place, c.$place])?,)*))
             }
 
             #[inline(always)]

@@ -150,6 +150,17 @@ impl Scale {
         times(self.inverse >> 32).wrapping_add(low).wrapping_add(more).cast_unsigned()
     }
 
+    /// `2^bits n / d` and 1, for |n| below 2^30, if the factor is below 2^63: above the ratio by more than `-2^-30 |n|`, and by at most
+    /// `1 + 2^-30 |n|`.
+    ///
+    /// Of what the lower half of the factor gives, the high word is enough.
+    #[inline(always)]
+    pub(crate) fn narrow_ratio(self, n: i32) -> u64 {
+        let low = signed_product(n << 1, signed(low_u32((self.inverse & 0xffff_ffff) >> 1))) >> 32;
+        let high = signed_product(n, signed(low_u32(self.inverse >> 32)));
+        high.wrapping_add(low.wrapping_add(1)).cast_unsigned()
+    }
+
     /// `2^(bits - 8) n / d` and `more`: above the ratio by at least `more - 1 - 2^-39 |n|`, and by at most `more + 2^-39 |n|`.
     ///
     /// The product is one without signs: of a negative n it is 2^64 times the factor too large, which is subtracted.

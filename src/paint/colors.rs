@@ -21,12 +21,17 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use crate::{
-    geom::{varying::ByteSlopes, Facet, Fast, Mix, Varying},
+    geom::{
+        small::{NoSmall, Small, Sums},
+        varying::ByteSlopes,
+        Facet, Fast, Mix, Varying,
+    },
     num::{
         cast::{low_u32, low_u64, low_u8, signed_wide},
-        wide::times_small,
+        wide::{product, times_small},
     },
     pixel::{Rgb332, Rgb444, Xrgb8888},
+    tune::LONG_PRODUCTS,
 };
 
 /// What changes as its levels do.
@@ -36,10 +41,16 @@ macro_rules! by_levels {
             type Slopes = <$levels as Varying>::Slopes;
             type Row = <$levels as Varying>::Row;
             type Run = <$levels as Varying>::Run;
+            type Small = <$levels as Varying>::Small;
 
             #[inline(always)]
             fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes {
                 <$levels>::slopes(facet, corners.map(|$c| $split))
+            }
+
+            #[inline(never)]
+            fn small(facet: &Facet, corners: [Self; 3]) -> Option<Self::Small> {
+                <$levels>::small(facet, corners.map(|$c| $split))
             }
 
             #[inline(always)]
@@ -190,8 +201,13 @@ fn cut(n: u64, more: u64) -> u64 {
 /// So many times as much, for a factor below 2^16.
 #[inline(always)]
 fn times(n: u128, factor: u32) -> u128 {
-    let words = [0, 32, 64, 96].map(|bit: u32| low_u32(low_u64(n.wrapping_shr(bit))));
-    times_small(words, factor).into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
+    let word = |bit: u32| low_u32(low_u64(n.wrapping_shr(bit)));
+    if LONG_PRODUCTS {
+        // Of every other word, so that products do not overlap.
+        let [a, b, c, d] = [0, 32, 64, 96].map(|bit| u128::from(product(word(bit), factor)));
+        return (a | c << 64).wrapping_add(b << 32 | d << 96);
+    }
+    times_small([0, 32, 64, 96].map(word), factor).into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 
 /// The level whose lowest bit is that one. Each lies in one of the four words.
@@ -200,14 +216,41 @@ fn level(n: u128, bit: u32) -> u8 {
     low_u8(low_u32(low_u64(n >> (bit & 0x60))) >> (bit & 31))
 }
 
+impl Small<LevelRun> for Sums<u128> {
+    #[inline(always)]
+    fn skip(&mut self, rows: u32) {
+        self.at = self.at.wrapping_add(times(self.down, rows));
+    }
+
+    #[inline(always)]
+    fn below(&mut self) {
+        self.at = self.at.wrapping_add(self.down);
+    }
+
+    #[inline(always)]
+    fn run(&self, right: u32) -> LevelRun {
+        LevelRun { at: self.at.wrapping_add(times(self.right, right)), by: self.right }
+    }
+}
+
 impl Varying for Levels {
     type Slopes = LevelSlopes;
     type Row = LevelRow;
     type Run = LevelRun;
+    type Small = Sums<u128>;
 
     #[inline(always)]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> LevelSlopes {
         LevelSlopes::new(facet, corners).0
+    }
+
+    #[inline(always)]
+    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u128>> {
+        let [Levels([a0, a1, a2]), Levels([b0, b1, b2]), Levels([c0, c1, c2])] = corners;
+        let [a, b, c] = facet.small_levels([[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]])?;
+        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (a, b, c);
+        let packed = Levels::packed;
+        Some(Sums { at: packed([a0, b0, c0]), right: packed([a1, b1, c1]), down: packed([a2, b2, c2]) })
     }
 
     #[inline(always)]
@@ -305,6 +348,7 @@ impl Varying for Fast<Levels> {
     type Slopes = FastSlopes;
     type Row = LevelRow;
     type Run = FastRun;
+    type Small = NoSmall;
 
     #[inline(always)]
     fn slopes(facet: &Facet, corners: [Self; 3]) -> FastSlopes {

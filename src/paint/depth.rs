@@ -29,10 +29,16 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{varying::Rows, Facet, Plane, Varying},
+    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
+    num::cast::unsigned,
+    raster::triangle::{self, Tiny},
     span::ClippedSpan,
     surface::{self, Depth, Frame, Inside, Said, Surface},
+    tune::COMPACT,
 };
+
+/// Whether small triangles have a loop of their own.
+const SMALL: bool = !COMPACT;
 
 /// Nearer than what is there.
 #[inline(always)]
@@ -124,8 +130,7 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
         span.parts(self.reach, |part| self.part(on, part));
     }
 
-    /// Paints pixels for which runs are right. What is hidden often lies side by side: up to the first pixel that passes, depths are
-    /// compared and nothing else is computed.
+    /// Paints pixels for which runs are right.
     #[inline(never)]
     fn part<S: Surface>(&mut self, on: &mut S, part: ClippedSpan)
     where
@@ -133,34 +138,235 @@ impl<M: AsMut<[u8]>, Z: Depth, V: Varying, T: Fn(&Z::Number, &Z::Number) -> bool
     {
         let Self { depth, rows, values, passes, writes, color, .. } = self;
         rows.go_to(part.y());
-        let (mut z, writes, Some(cells)) = (rows.run(part.x0(), part.len()), *writes, depth.cells(part)) else {
-            return;
-        };
-        let hidden = cells.iter().take_while(|cell| {
-            let is_hidden = !passes(&Z::Number::value(&z), &Z::load(**cell));
-            if is_hidden {
-                Z::Number::step(&mut z);
-            }
-            is_hidden
-        });
-        let hidden = hidden.count();
-        let (Some(cells), Some(part)) = (cells.get_mut(hidden..), part.without(hidden)) else { return };
-        values.go_to(part.y());
-        let (mut at, mut cells) = (values.run(part.x0(), part.len()), cells.iter_mut());
-        on.write_inside(Inside(Said::Span(part)), |_| {
-            let number = Z::Number::value(&z);
-            let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
-                let color = color(V::value(&at), number)?;
-                if writes {
-                    *cell = Z::store(number);
-                }
-                Some(color)
-            });
-            Z::Number::step(&mut z);
-            V::step(&mut at);
-            painted
+        test(depth, part, rows.run(part.x0(), part.len()), &*passes, |seen, cells, z| {
+            values.go_to(seen.y());
+            let at = values.run(seen.x0(), seen.len());
+            paint::<S, Z, V>(on, (seen, cells), (z, at), (&*passes, *writes), color);
         });
     }
+}
+
+/// Looks at the depths of one row. What is hidden often lies side by side: up to the first pixel that passes, depths are compared
+/// and nothing else is computed. `seen` is given what begins there: the pixels, their places, and their depths.
+#[inline(always)]
+fn test<M: AsMut<[u8]>, Z: Depth>(
+    depth: &mut Frame<M, surface::Rows<Z>>,
+    span: ClippedSpan,
+    mut z: <Z::Number as Varying>::Run,
+    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
+    seen: impl FnOnce(ClippedSpan, &mut [Z::Cell], <Z::Number as Varying>::Run),
+) {
+    let Some(cells) = depth.cells(span) else { return };
+    let hidden = cells.iter().take_while(|cell| {
+        let is_hidden = !passes(&Z::Number::value(&z), &Z::load(**cell));
+        if is_hidden {
+            Z::Number::step(&mut z);
+        }
+        is_hidden
+    });
+    let hidden = hidden.count();
+    let (Some(cells), Some(span)) = (cells.get_mut(hidden..), span.without(hidden)) else { return };
+    seen(span, cells, z);
+}
+
+/// Paints pixels of one row whose depths pass.
+#[inline(always)]
+fn paint<S: Surface, Z: Depth, V: Varying>(
+    on: &mut S,
+    (span, cells): (ClippedSpan, &mut [Z::Cell]),
+    (mut z, mut at): (<Z::Number as Varying>::Run, V::Run),
+    (passes, writes): (&impl Fn(&Z::Number, &Z::Number) -> bool, bool),
+    color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
+) {
+    let mut cells = cells.iter_mut();
+    on.write_inside(Inside(Said::Span(span)), |_| {
+        let number = Z::Number::value(&z);
+        let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
+            let color = color(V::value(&at), number)?;
+            if writes {
+                *cell = Z::store(number);
+            }
+            Some(color)
+        });
+        Z::Number::step(&mut z);
+        V::step(&mut at);
+        painted
+    });
+}
+
+/// Paints pixels of one row whose depths pass, each in a colour. Depths are compared and kept for all that are seen side by side, then
+/// their colours are painted: one loop has too many numbers for the registers of a Cortex-M. `run` gives the values from a pixel on.
+#[inline(always)]
+fn paint_all<S: Surface, Z: Depth, V: Varying>(
+    on: &mut S,
+    (span, mut cells): (ClippedSpan, &mut [Z::Cell]),
+    mut z: <Z::Number as Varying>::Run,
+    run: impl Fn(ClippedSpan) -> V::Run,
+    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
+    color: &mut impl FnMut(V) -> S::Color,
+) {
+    let mut rest = Some(span);
+    while let Some(span) = rest {
+        let mut hidden = 0;
+        for cell in cells.iter() {
+            if passes(&Z::Number::value(&z), &Z::load(*cell)) {
+                break;
+            }
+            Z::Number::step(&mut z);
+            hidden = usize::wrapping_add(hidden, 1);
+        }
+        let (Some(others), Some(span)) = (cells.get_mut(hidden..), span.without(hidden)) else { return };
+        let mut seen = 0;
+        for cell in others.iter_mut() {
+            let number = Z::Number::value(&z);
+            if !passes(&number, &Z::load(*cell)) {
+                break;
+            }
+            *cell = Z::store(number);
+            Z::Number::step(&mut z);
+            seen = usize::wrapping_add(seen, 1);
+        }
+        // None only if the same numbers pass once and do not pass then.
+        let (Some(others), Some(painted)) = (others.get_mut(seen..), span.first(seen)) else { return };
+        let mut at = run(painted);
+        on.write_few_inside(Inside(Said::Span(painted)), |_| {
+            let value = V::value(&at);
+            V::step(&mut at);
+            color(value)
+        });
+        (cells, rest) = (others, span.without(seen));
+    }
+}
+
+/// Fills a triangle with colours that a function makes of the values at its corners, where its depths pass a test, and keeps these.
+#[inline(always)]
+pub(crate) fn fill<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: [(Z::Number, V); 3],
+    passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+    mut color: impl FnMut(V) -> S::Color,
+) {
+    let is_done = fill_small((on, depth), (corners, facet), &values, &passes, |on: &mut S, row, z, (small, x)| {
+        let run = |seen: ClippedSpan| small.run(unsigned(seen.x0().wrapping_sub(x)));
+        paint_all::<S, Z, V>(on, row, z, run, &passes, &mut color);
+    });
+    if !is_done {
+        let window = on.window().intersection(depth.window());
+        let mut shade = DepthShade::over(depth, facet, values, passes, |values, _| Some(color(values)));
+        triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
+    }
+}
+
+/// The same for a function that sees depths, too, and may answer `None`: then colour and depth of the pixel stay as they are.
+#[inline(always)]
+pub(crate) fn fill_some<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: [(Z::Number, V); 3],
+    passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+    mut color: impl FnMut(V, Z::Number) -> Option<S::Color>,
+) {
+    let is_done = fill_small((on, depth), (corners, facet), &values, &passes, |on: &mut S, row, z, (small, x)| {
+        let at = small.run(unsigned(row.0.x0().wrapping_sub(x)));
+        paint::<S, Z, V>(on, row, (z, at), (&passes, true), &mut color);
+    });
+    if !is_done {
+        let window = on.window().intersection(depth.window());
+        let mut shade = DepthShade::over(depth, facet, values, passes, color);
+        triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
+    }
+}
+
+/// Calls `row` with the rows in which something may be seen, if the triangle is small, and tiny in its window: with their pixels, the
+/// depths there, and the values from some column on. If it is neither, it returns `false`.
+///
+/// In a mesh, most triangles are hidden as a whole. So up to the first row in which a pixel is seen, only depths are compared; how the
+/// values change is found there.
+#[inline(always)]
+fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: &[(Z::Number, V); 3],
+    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
+    row: impl FnMut(&mut S, (ClippedSpan, &mut [Z::Cell]), <Z::Number as Varying>::Run, (&V::Small, i32)),
+) -> bool {
+    let window = on.window().intersection(depth.window());
+    if window.is_empty() {
+        return true;
+    }
+    if !SMALL || !<<(Z::Number, V) as Varying>::Small as Small<_>>::EXISTS || !facet.is_small() {
+        return false;
+    }
+    let depths = Z::Number::small(facet, values.each_ref().map(|corner| corner.0));
+    let (Some(rows), Some(mut depths)) = (Tiny::new(corners, window), depths) else { return false };
+    let (x, y) = facet.first();
+    depths.skip(unsigned(rows.y().wrapping_sub(y)));
+    let mut rest = Rest { rows, depths, x };
+    if hidden_rows(depth, &mut rest, passes) {
+        return true;
+    }
+    let Some(mut values) = V::small(facet, values.each_ref().map(|corner| corner.1)) else { return false };
+    values.skip(unsigned(rest.rows.y().wrapping_sub(y)));
+    seen_rows::<S, M, Z, V>((on, depth), rest, values, row);
+    true
+}
+
+/// What is left of a small triangle: its rows, the depths in the first column, and which column that is.
+struct Rest<Z> {
+    rows: Tiny,
+    depths: Z,
+    x: i32,
+}
+
+/// Goes on to a row in which a pixel passes; `true` if there is none.
+// Not inlined: the loop has the registers to itself.
+#[inline(never)]
+fn hidden_rows<M: AsMut<[u8]>, Z: Depth>(
+    depth: &mut Frame<M, surface::Rows<Z>>,
+    rest: &mut Rest<<Z::Number as Varying>::Small>,
+    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
+) -> bool {
+    let (mut depths, x, mut is_hidden) = (rest.depths, rest.x, true);
+    rest.rows.each_row(|span| {
+        if let Some(span) = span.known_inside() {
+            let mut z = depths.run(unsigned(span.x0().wrapping_sub(x)));
+            let passes = |cell: &Z::Cell| {
+                let passes = passes(&Z::Number::value(&z), &Z::load(*cell));
+                Z::Number::step(&mut z);
+                passes
+            };
+            is_hidden = !depth.cells(span).unwrap_or_default().iter().any(passes);
+        }
+        if is_hidden {
+            depths.below();
+        }
+        is_hidden
+    });
+    rest.depths = depths;
+    is_hidden
+}
+
+/// Calls `row` with all rows that are left.
+// Not inlined: the loop has the registers to itself.
+#[inline(never)]
+fn seen_rows<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    rest: Rest<<Z::Number as Varying>::Small>,
+    mut values: V::Small,
+    mut row: impl FnMut(&mut S, (ClippedSpan, &mut [Z::Cell]), <Z::Number as Varying>::Run, (&V::Small, i32)),
+) {
+    let Rest { mut rows, mut depths, x } = rest;
+    rows.each_row(|span| {
+        if let Some(span) = span.known_inside() {
+            if let Some(cells) = depth.cells(span) {
+                row(on, (span, cells), depths.run(unsigned(span.x0().wrapping_sub(x))), (&values, x));
+            }
+        }
+        depths.below();
+        values.below();
+        true
+    });
 }
 
 impl<S, M, Z, V, T, F> Paint<S> for DepthShade<'_, M, Z, V, T, F>

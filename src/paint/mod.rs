@@ -100,7 +100,7 @@ mod masked;
 pub mod pattern;
 mod ramp;
 mod raster_op;
-mod shade;
+pub(crate) mod shade;
 mod solid;
 mod traits;
 

@@ -2,11 +2,93 @@
 
 use super::traits::Paint;
 use crate::{
-    geom::{varying::Rows, Facet, Plane, Varying},
+    error::TriangleTooLarge,
+    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
     num::cast::unsigned,
+    raster::triangle::{self, Tiny},
     span::ClippedSpan,
     surface::{Inside, Said, Surface},
+    tune::COMPACT,
 };
+
+/// Whether small triangles have a loop of their own.
+const SMALL: bool = !COMPACT;
+
+/// Fills a triangle with colours that a function makes of the values at its corners.
+///
+/// # Errors
+/// If the triangle is too large to be a facet. Then nothing is drawn.
+#[inline(always)]
+pub(crate) fn fill<S: Surface, V: Varying>(
+    on: &mut S,
+    corners: [PointFx; 3],
+    values: [V; 3],
+    mut color: impl FnMut(V) -> S::Color,
+) -> Result<(), TriangleTooLarge> {
+    let facet = Facet::of_any_size(corners);
+    facet.fits(corners)?;
+    let is_done = fill_small(on, (corners, &facet), &values, |on: &mut S, span, mut run: V::Run| {
+        on.write_few_inside(Inside(Said::Span(span)), |_| {
+            let value = V::value(&run);
+            V::step(&mut run);
+            color(value)
+        });
+    });
+    if !is_done {
+        let mut shade = Shade::over(&facet, values, color);
+        triangle::fill(corners, on.window(), |span: ClippedSpan| shade.row(on, span));
+    }
+    Ok(())
+}
+
+/// The same for a function that may answer `None`: then the pixel stays as it is. The triangle is a facet.
+#[inline(always)]
+pub(crate) fn fill_some<S: Surface, V: Varying>(
+    on: &mut S,
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: [V; 3],
+    mut color: impl FnMut(V) -> Option<S::Color>,
+) {
+    let is_done = fill_small(on, (corners, facet), &values, |on: &mut S, span, mut run: V::Run| {
+        on.write_inside(Inside(Said::Span(span)), |_| {
+            let value = V::value(&run);
+            V::step(&mut run);
+            color(value)
+        });
+    });
+    if !is_done {
+        let mut shade = ShadeSome::new(Plane::new(facet, values), color);
+        triangle::fill(corners, on.window(), |span: ClippedSpan| shade.row(on, span));
+    }
+}
+
+/// Calls `row` with the pixels of each row, and the values there, if the triangle is small, and tiny in its window. If not, it
+/// returns `false`.
+// Not inlined: the loop has the registers to itself.
+#[inline(never)]
+fn fill_small<S: Surface, V: Varying>(
+    on: &mut S,
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: &[V; 3],
+    mut row: impl FnMut(&mut S, ClippedSpan, V::Run),
+) -> bool {
+    if !SMALL || !V::Small::EXISTS || !facet.is_small() {
+        return false;
+    }
+    let (Some(mut rows), Some(mut small)) = (Tiny::new(corners, on.window()), V::small(facet, *values)) else {
+        return false;
+    };
+    let (x, y) = facet.first();
+    small.skip(unsigned(rows.y().wrapping_sub(y)));
+    rows.each_row(|span| {
+        if let Some(span) = span.known_inside() {
+            row(on, span, small.run(unsigned(span.x0().wrapping_sub(x))));
+        }
+        small.below();
+        true
+    });
+    true
+}
 
 /// The colours that a function makes of the values of a [`Plane`], pixel by pixel.
 ///

@@ -8,10 +8,8 @@ use super::{
     viewport::Projected,
 };
 use crate::{
-    canvas::Canvas,
-    geom::{At, Facet, Plane, PointFx, Varying},
-    paint::{DepthShade, ShadeSome},
-    raster::triangle,
+    geom::{At, Facet, PointFx, Varying},
+    paint::{self, shade},
     span::Rect,
     surface::{Frame, Rows, Surface},
 };
@@ -77,11 +75,11 @@ impl<V: Varying> Triangle<V> {
             return;
         }
         let Ok(facet) = Facet::new(self.places()) else { return };
-        let plane = Plane::new(&facet, self.corners.each_ref().map(|corner| (At::default(), corner.values)));
         let (Self { facing, number, .. }, places) = (*self, self.places());
-        let shade =
-            ShadeSome::new(plane, |(At(at), values)| fragment(Fragment { at, values, depth: (), facing, number }));
-        on.paint(shade, |window, brush| triangle::fill(places, window, brush));
+        let values = self.corners.each_ref().map(|corner| (At::default(), corner.values));
+        shade::fill_some(on, (places, &facet), values, |(At(at), values)| {
+            fragment(Fragment { at, values, depth: (), facing, number })
+        });
     }
 
     /// Fills the pixels whose depth passes a test, such as [`less`](crate::paint::depth::less), and keeps their depths: z / w, from 0
@@ -133,12 +131,11 @@ impl<V: Varying> Triangle<V> {
         let [a, b, c] = &self.corners;
         let [d, e, f] = change(&facet, self.projected.each_ref().map(depth::of::<Z>)).map(Z::number);
         let at = At::default();
-        let plane = Plane::new(&facet, [(d, (at, a.values)), (e, (at, b.values)), (f, (at, c.values))]);
+        let values = [(d, (at, a.values)), (e, (at, b.values)), (f, (at, c.values))];
         let (Self { facing, number, .. }, places) = (*self, self.places());
-        let shade = DepthShade::new(depth, plane, passes, |(At(at), values), depth| {
+        paint::depth::fill_some((on, depth), (places, &facet), values, passes, |(At(at), values), depth| {
             fragment(Fragment { at, values, depth, facing, number })
         });
-        on.paint(shade, |window, brush| triangle::fill(places, window, brush));
     }
 
     /// Whether its box and a window have pixels in common. Of a band most triangles have none: their values are not asked for.

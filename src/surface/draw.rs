@@ -102,6 +102,18 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     }
 
     #[inline(always)]
+    fn write_few_inside(&mut self, what: Inside, mut color_at: impl FnMut(i32) -> L::Color) {
+        let Said::Span(span) = what.0 else { return };
+        let (y, columns, mut x) = (self.y(span.y()), self.columns(span), span.x0());
+        let (memory, grid) = self.write();
+        L::write_few(memory, grid, y, columns, || {
+            let color = color_at(x);
+            x = x.wrapping_add(1);
+            color
+        });
+    }
+
+    #[inline(always)]
     fn write_some(&mut self, span: ClippedSpan, color_at: impl FnMut(i32) -> Option<L::Color>) {
         if let Some(span) = self.again(span) {
             self.write_inside(Inside(Said::Span(span)), color_at);

@@ -140,6 +140,12 @@ pub trait Layout: 'static {
         Self::write_some(memory, grid, y, columns, || Some(next()));
     }
 
+    /// [`write_span`](Self::write_span) of a few pixels: a way that has less to prepare, if there is one.
+    #[inline(always)]
+    fn write_few(memory: &mut [u8], grid: Grid, y: usize, columns: (usize, usize), next: impl FnMut() -> Self::Color) {
+        Self::write_span(memory, grid, y, columns, next);
+    }
+
     /// Writes the pixels `x0..x1` of row y from left to right. For each, `next` gives a colour, or `None` to leave it as it is.
     #[inline]
     fn write_some(

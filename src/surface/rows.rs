@@ -131,6 +131,15 @@ impl<F: PixelFormat> Layout for Rows<F> {
         rows::write_all::<F>(memory, start(grid, y), columns, || F::pack(next()));
     }
 
+    /// One pixel in a turn.
+    #[inline(always)]
+    fn write_few(memory: &mut [u8], grid: Grid, y: usize, columns: (usize, usize), mut next: impl FnMut() -> F::Color) {
+        if F::BITS < 8 {
+            return Self::write_span(memory, grid, y, columns, next);
+        }
+        rows::write::<F>(memory, start(grid, y), columns, || Some(F::pack(next())));
+    }
+
     #[inline(always)]
     fn write_some(
         memory: &mut [u8],

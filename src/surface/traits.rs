@@ -134,6 +134,16 @@ pub trait Surface {
         }
     }
 
+    /// The same for a few pixels.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_few_inside(&mut self, what: Inside, color_at: impl FnMut(i32) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        self.write_span_inside(what, color_at);
+    }
+
     /// [`write_some`](Self::write_some) where this crate clipped the span just before: see [`fill_inside`](Self::fill_inside).
     #[doc(hidden)]
     #[inline(always)]

@@ -12,5 +12,6 @@ mod masked;
 mod pattern;
 mod pictures;
 mod shade;
+mod small;
 mod sums;
 mod texture;

@@ -33,6 +33,7 @@ mod steps;
 mod sums;
 mod walk;
 
+pub(crate) use self::sums::Tiny;
 pub use self::walk::{walk, walk_blocks};
 use crate::{
     geom::{bits, PointFx},
