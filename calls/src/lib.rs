@@ -42,8 +42,7 @@ use embedded_graphics_core::{
 use embedded_raster::{
     eg,
     geom::{triangulate::SideSlot, Plane},
-    paint::{depth, DepthShade, Dithered, Linear, Masked, Radial, Ramp, Shade, ShadeSome},
-    paint::{depth, DepthShade, Dithered, Linear, Pattern, Radial, Ramp, Shade, ShadeSome, Tiles},
+    paint::{depth, DepthShade, Dithered, Linear, Masked, Pattern, Radial, Ramp, Shade, ShadeSome, Tiles},
     pipeline::Dot,
     pixel::Lsb0,
     raster::{
