@@ -49,6 +49,10 @@ pub mod watched;
 use embedded_raster::{ClippedSpan, PointFx, Rect};
 pub use shapes::*;
 
+/// Whether tests take every layout, as with the feature of this name. Else they take some of each kind: all calls on all layouts
+/// take minutes to compile.
+pub const ALL_LAYOUTS: bool = cfg!(feature = "all-layouts");
+
 /// A place in 24.8 units: what a [`PointFx`] is made of.
 pub type Units = (i32, i32);
 

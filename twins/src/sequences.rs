@@ -244,7 +244,7 @@ impl<F: PixelFormat> Plain<'_, F> {
 
 /// Runs a sequence of calls that bytes describe. Panics where memory and twin differ.
 ///
-/// With the feature `all-layouts` on 19 layouts, else on 10, which are compiled in half of the time.
+/// With the feature `all-layouts` on 19 layouts, else on 7, which are compiled in a third of the time.
 ///
 /// Generic in the bytes, so that all calls on all layouts are compiled for who makes them, not for every test that has a twin.
 pub fn sequence(bytes: impl AsRef<[u8]>) {
@@ -262,12 +262,14 @@ pub fn sequence(bytes: impl AsRef<[u8]>) {
         Rows<Index1>, Index1, Rows, 1;
         #[cfg(feature = "all-layouts")]
         Rows<Lsb0<Index1>>, Lsb0<Index1>, Rows, 1;
+        #[cfg(feature = "all-layouts")]
         Rows<Index2>, Index2, Rows, 2;
         #[cfg(feature = "all-layouts")]
         Rows<Lsb0<Index2>>, Lsb0<Index2>, Rows, 2;
         #[cfg(feature = "all-layouts")]
         Rows<Index4>, Index4, Rows, 4;
         Rows<Lsb0<Index4>>, Lsb0<Index4>, Rows, 4;
+        #[cfg(feature = "all-layouts")]
         Rows<Index8>, Index8, Rows, 8;
         Rows<Rgb565>, Rgb565, Rows, 16;
         #[cfg(feature = "all-layouts")]
@@ -279,6 +281,7 @@ pub fn sequence(bytes: impl AsRef<[u8]>) {
         Rows<Be<Rgb888>>, Be<Rgb888>, Rows, 24;
         #[cfg(feature = "all-layouts")]
         Rows<Xrgb8888>, Xrgb8888, Rows, 32;
+        #[cfg(feature = "all-layouts")]
         Rows<Be<Xrgb8888>>, Be<Xrgb8888>, Rows, 32;
         #[cfg(feature = "all-layouts")]
         Pages<Index1>, Index1, Pages, 1;
