@@ -194,92 +194,24 @@ fn paint<S: Surface, Z: Depth, V: Varying>(
     });
 }
 
-/// Paints pixels of one row whose depths pass, each in a colour. Depths are compared and kept for all that are seen side by side, then
-/// their colours are painted: one loop has too many numbers for the registers of a Cortex-M. `run` gives the values from a pixel on.
-#[inline(always)]
-fn paint_all<S: Surface, Z: Depth, V: Varying>(
-    on: &mut S,
-    (span, mut cells): (ClippedSpan, &mut [Z::Cell]),
-    mut z: <Z::Number as Varying>::Run,
-    run: impl Fn(ClippedSpan) -> V::Run,
-    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
-    color: &mut impl FnMut(V) -> S::Color,
-) {
-    let mut rest = Some(span);
-    while let Some(span) = rest {
-        let mut hidden = 0;
-        for cell in cells.iter() {
-            if passes(&Z::Number::value(&z), &Z::load(*cell)) {
-                break;
-            }
-            Z::Number::step(&mut z);
-            hidden = usize::wrapping_add(hidden, 1);
-        }
-        let (Some(others), Some(span)) = (cells.get_mut(hidden..), span.without(hidden)) else { return };
-        let mut seen = 0;
-        for cell in others.iter_mut() {
-            let number = Z::Number::value(&z);
-            if !passes(&number, &Z::load(*cell)) {
-                break;
-            }
-            *cell = Z::store(number);
-            Z::Number::step(&mut z);
-            seen = usize::wrapping_add(seen, 1);
-        }
-        // None only if the same numbers pass once and do not pass then.
-        let (Some(others), Some(painted)) = (others.get_mut(seen..), span.first(seen)) else { return };
-        let mut at = run(painted);
-        on.write_few_inside(Inside(Said::Span(painted)), |_| {
-            let value = V::value(&at);
-            V::step(&mut at);
-            color(value)
-        });
-        (cells, rest) = (others, span.without(seen));
-    }
-}
-
 /// Fills a triangle with colours that a function makes of the values at its corners, where its depths pass a test, and keeps these.
+/// Where the function answers `None`, colour and depth of the pixel stay as they are.
 #[inline(always)]
 pub(crate) fn fill<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
     (corners, facet): ([PointFx; 3], &Facet),
     values: [(Z::Number, V); 3],
     passes: impl Fn(&Z::Number, &Z::Number) -> bool,
-    mut color: impl FnMut(V) -> S::Color,
-) {
-    let is_done = fill_small((on, depth), (corners, facet), &values, &passes, |on: &mut S, row, z, (small, x)| {
-        let run = |seen: ClippedSpan| small.run(unsigned(seen.x0().wrapping_sub(x)));
-        paint_all::<S, Z, V>(on, row, z, run, &passes, &mut color);
-    });
-    if !is_done {
-        let window = on.window().intersection(depth.window());
-        let mut shade = DepthShade::over(depth, facet, values, passes, |values, _| Some(color(values)));
-        triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
-    }
-}
-
-/// The same for a function that sees depths, too, and may answer `None`: then colour and depth of the pixel stay as they are.
-#[inline(always)]
-pub(crate) fn fill_some<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
-    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
-    (corners, facet): ([PointFx; 3], &Facet),
-    values: [(Z::Number, V); 3],
-    passes: impl Fn(&Z::Number, &Z::Number) -> bool,
     mut color: impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) {
-    let is_done = fill_small((on, depth), (corners, facet), &values, &passes, |on: &mut S, row, z, (small, x)| {
-        let at = small.run(unsigned(row.0.x0().wrapping_sub(x)));
-        paint::<S, Z, V>(on, row, (z, at), (&passes, true), &mut color);
-    });
-    if !is_done {
+    if !fill_small((on, depth), (corners, facet), &values, &passes, &mut color) {
         let window = on.window().intersection(depth.window());
         let mut shade = DepthShade::over(depth, facet, values, passes, color);
         triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
     }
 }
 
-/// Calls `row` with the rows in which something may be seen, if the triangle is small, and tiny in its window: with their pixels, the
-/// depths there, and the values from some column on. If it is neither, it returns `false`.
+/// The same for a triangle that is small, and tiny in its window. If it is neither, nothing is drawn, and it returns `false`.
 ///
 /// In a mesh, most triangles are hidden as a whole. So up to the first row in which a pixel is seen, only depths are compared; how the
 /// values change is found there.
@@ -289,7 +221,7 @@ fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (corners, facet): ([PointFx; 3], &Facet),
     values: &[(Z::Number, V); 3],
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
-    row: impl FnMut(&mut S, (ClippedSpan, &mut [Z::Cell]), <Z::Number as Varying>::Run, (&V::Small, i32)),
+    color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) -> bool {
     let window = on.window().intersection(depth.window());
     if window.is_empty() {
@@ -308,7 +240,7 @@ fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     }
     let Some(mut values) = V::small(facet, values.each_ref().map(|corner| corner.1)) else { return false };
     values.skip(unsigned(rest.rows.y().wrapping_sub(y)));
-    seen_rows::<S, M, Z, V>((on, depth), rest, values, row);
+    seen_rows::<S, M, Z, V>((on, depth), rest, values, passes, color);
     true
 }
 
@@ -347,20 +279,22 @@ fn hidden_rows<M: AsMut<[u8]>, Z: Depth>(
     is_hidden
 }
 
-/// Calls `row` with all rows that are left.
+/// Paints all rows that are left.
 // Not inlined: the loop has the registers to itself.
 #[inline(never)]
 fn seen_rows<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
     rest: Rest<<Z::Number as Varying>::Small>,
     mut values: V::Small,
-    mut row: impl FnMut(&mut S, (ClippedSpan, &mut [Z::Cell]), <Z::Number as Varying>::Run, (&V::Small, i32)),
+    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
+    color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) {
     let Rest { mut rows, mut depths, x } = rest;
     rows.each_row(|span| {
         if let Some(span) = span.known_inside() {
             if let Some(cells) = depth.cells(span) {
-                row(on, (span, cells), depths.run(unsigned(span.x0().wrapping_sub(x))), (&values, x));
+                let right = unsigned(span.x0().wrapping_sub(x));
+                paint::<S, Z, V>(on, (span, cells), (depths.run(right), values.run(right)), (passes, true), color);
             }
         }
         depths.below();

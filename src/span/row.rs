@@ -96,14 +96,6 @@ impl ClippedSpan {
         (x0 < self.x1).then_some(Self { x0, ..self })
     }
 
-    /// So many pixels at its left end, at most all; `None` if there are none.
-    #[inline(always)]
-    pub(crate) fn first(self, pixels: usize) -> Option<Self> {
-        let left = i32::try_from(pixels).ok()?;
-        let x1 = self.x0.wrapping_add(left).min(self.x1);
-        (self.x0 < x1).then_some(Self { x1, ..self })
-    }
-
     /// Calls `f` with its parts, from left to right, each of `most` pixels but the last one. `most` is not 0.
     #[inline(always)]
     pub(crate) fn parts(self, most: u32, mut f: impl FnMut(Self)) {
