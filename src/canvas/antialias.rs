@@ -262,7 +262,7 @@ pub trait Antialias: Surface {
     /// outside is clipped. The mask may have any layout; a view of one may start at any pixel, even within a byte.
     /// ```
     /// use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray8};
-    /// use embedded_raster::{paint::{Alpha, Cover, Dithered}, Antialias, Bitmap, Framebuffer};
+    /// use embedded_raster::{paint::{Cover, Dithered}, Antialias, Bitmap, Framebuffer};
     /// let glyph = Bitmap::<Gray2>::new(&[0b00_01_10_11, 0b11_10_01_00], 4, 2)?;
     /// let mut ram = [100; 5 * 2];
     /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 2)?;

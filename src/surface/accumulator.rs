@@ -104,7 +104,7 @@ impl Sum {
 /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 5, 1)?;
 /// frame.fill_triangle_aa([a, b, d], &mut [], Cover(Gray8::new(40)));
 /// frame.fill_triangle_aa([b, c, d], &mut [], Cover(Gray8::new(80)));
-/// assert_eq!(ram, [69, 105, 115, 95, 255]);
+/// assert_eq!(ram, [69, 106, 115, 99, 255]);
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 #[derive(Debug)]
