@@ -4,7 +4,7 @@ use embedded_graphics::{pixelcolor::Gray8, prelude::GrayColor};
 use embedded_raster::{
     paint::Cover,
     raster::coverage::{self, CoverageSlot},
-    Antialias, Framebuffer,
+    Antialias, Canvas, Framebuffer,
 };
 use tiny_skia::{FillRule, Mask, Paint, Pixmap, Stroke, Transform};
 
@@ -68,6 +68,26 @@ fn own(frame: &mut [u8], shape: &Soft, table: &mut [CoverageSlot], cells: &mut [
     }
 }
 
+/// The same, with true areas where sides cross. Circles and lines have no such pixels.
+fn own_true(frame: &mut [u8], shape: &Soft, table: &mut [CoverageSlot], cells: &mut [i32]) {
+    let size = (WIDTH as u16, HEIGHT as u16);
+    let draw = |frame: &mut [u8], table: &mut [CoverageSlot], cells: &mut [i32]| {
+        let mut frame = Framebuffer::<Gray8>::new(frame, size.0, size.1).expect("made for this size");
+        frame.paint(Cover(Gray8::WHITE), |window, brush| match shape.outline {
+            Outline::Polygon(_) => {
+                coverage::fill_true(shape.contours.iter(), shape.rule, table, cells, window, brush).map(|()| true)
+            }
+            Outline::Curves(_) => {
+                coverage::path_true(shape.path(), shape.rule, table, cells, window, brush).map(|()| true)
+            }
+            Outline::Circle(..) | Outline::Line(..) => Ok(false),
+        })
+    };
+    if !draw(frame, table, cells).expect("slots enough") {
+        own(frame, shape, table, cells);
+    }
+}
+
 /// tiny-skia: paths on masks, lines on a pixmap.
 struct Skia {
     mask: Mask,
@@ -105,6 +125,7 @@ impl Engine<Soft, Levels> for Skia {
 
 pub(super) fn entries() -> Ways {
     let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; 512], vec![0; coverage::cells(WIDTH as u16)]);
+    let mut more = (table.clone(), cells.clone());
     let (width, height) = (WIDTH as u32, HEIGHT as u32);
     let skia = Skia {
         mask: Mask::new(width, height).expect("the size is not zero"),
@@ -112,6 +133,12 @@ pub(super) fn entries() -> Ways {
     };
     vec![
         entry("own", "this crate", Origin::Crate, masked(move |f, s| own(f, s, &mut table, &mut cells))),
+        entry(
+            "true",
+            "this crate, true area",
+            Origin::Crate,
+            masked(move |f, s| own_true(f, s, &mut more.0, &mut more.1)),
+        ),
         entry("skia", "tiny-skia", Origin::Peer, skia),
     ]
 }

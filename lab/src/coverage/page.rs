@@ -139,10 +139,10 @@ of each kind.\n\
 
 const NOTES: &str = "\
 ## Notes\n\n\
-- This crate draws on a `Framebuffer` of 8-bit grey, by the paint `Cover`. tiny-skia and zeno fill masks, zeno of the size of the \
+- This crate draws on a `Framebuffer` of 8-bit grey, by the paint `Cover`; *true area*: by `fill_true` and `path_true`. tiny-skia and zeno fill masks, zeno of the size of the \
 screen; ab_glyph_rasterizer sums up a box around the shape, and what it finds is copied to the screen; raqote, and tiny-skia \
 for lines, draw on pixels of 32 bits.\n\
 - Circles are four cubic curves for zeno, ab_glyph_rasterizer and raqote: within 1/3700 of the radius.\n\
 - Where sides cross inside of a pixel, sums of areas are not the area. That concerns this crate, zeno and ab_glyph_rasterizer; \
-samples have no such error.\n\
+samples have no such error, nor has the true area.\n\
 - To count without the lab: `valgrind --tool=callgrind --toggle-collect='*measured*' target/release/lab --child coverage/own/0`.\n";
