@@ -8,10 +8,10 @@
 //! ```
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
 //! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
-//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims. [`film`] makes APNG and GIF files of pictures.
-//! [`scanout`] is a display over time: what is seen of a buffer that is drawn on while it is shown. [`moving`] has what programs share that
-//! show a scene that moves, and [`heat`](mod@heat) counts how often each pixel is drawn. [`palettes`] reads colour tables.
-//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims, [`gauge`] one with a needle on one bit. [`film`] makes APNG and GIF files of pictures.
+//! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims, [`gauge`] a dial with a needle on one bit. [`film`]
+//! makes APNG and GIF files of pictures, and [`palettes`] reads colour tables. [`scanout`] is a display over time: what is seen of a
+//! buffer that is drawn on while it is shown. [`moving`] has what programs share that show a scene that moves, and
+//! [`heat`](mod@heat) counts how often each pixel is drawn. [`cookbook`] has the programs of the first hour.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -46,3 +46,6 @@ pub use difference::Difference;
 pub use finish::finish;
 pub use picture::{Picture, Pixels};
 pub use window::{show, watch, Event, Key, Shot, WindowError};
+
+#[doc = include_str!("../../docs/cookbook.md")]
+pub mod cookbook {}
