@@ -268,7 +268,7 @@ fn hidden_rows<M: AsMut<[u8]>, Z: Depth>(
                 Z::Number::step(&mut z);
                 passes
             };
-            is_hidden = !depth.cells(span).unwrap_or_default().iter().any(passes);
+            is_hidden = depth.cells(span).is_none_or(|cells| !cells.iter().any(passes));
         }
         if is_hidden {
             depths.below();
