@@ -10,7 +10,7 @@ use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
 use crate::proofs::{self, Proofs};
 use crate::steps::step;
-use crate::{cube, readme, scene, symbols, Chip};
+use crate::{cube, moving, readme, scene, symbols, Chip};
 
 /// A variable that `build.rs` reads, and its value.
 type Switch = (&'static str, &'static str);
@@ -58,7 +58,8 @@ pub fn full() -> Result<()> {
         step(&format!("scene: every chip, opt-level {}", opt.name()), || {
             let builds = Chip::ALL.map(|chip| Build::new(chip, opt));
             scene::check_all(&builds)?;
-            cube::check_all(&builds)
+            cube::check_all(&builds)?;
+            moving::check_all(&builds)
         })?;
     }
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;

@@ -12,6 +12,7 @@
 //!  emulator         QEMU and plugin ---> output ---> table: cycles and instructions per pixel
 //!                                                      scene: whole frames, compared with the host's
 //!                                                      cube: with little RAM, in bands
+//!                                                      moving: frame after frame
 //!                                                      budget: what has grown
 //! ```
 
@@ -24,6 +25,7 @@ pub mod cube;
 pub mod emulator;
 pub mod firmware;
 pub mod frames;
+pub mod moving;
 pub mod plugin;
 pub mod proofs;
 pub mod readme;

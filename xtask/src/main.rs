@@ -7,7 +7,7 @@ use pico_args::Arguments;
 use xtask::budget::{self, Columns};
 use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
-use xtask::{checks, cube, heading, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
+use xtask::{checks, cube, heading, moving, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
 
 const HELP: &str = "\
 Checks:
@@ -40,9 +40,12 @@ The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M
     size [--target CHIP]... [--opt 3|s] [--rows NAME,NAME...]
         bytes of flash, static RAM and stack of the programs in size/, at `s` unless told
     scene [--target CHIP]... [--opt 3|s] [--cpu]
-        draw the map of the world, a scene of all shapes, and a cube in little RAM; fail when a frame differs from this computer's
+        draw the map of the world, a scene of all shapes, a cube in little RAM, and scenes that move; fail when a frame differs from
+        this computer's
     cube [--target CHIP]... [--opt 3|s] [--cpu]
         the cube alone: whole and in bands, in 96, 48 and 16 kB of RAM
+    moving [--target CHIP]... [--opt 3|s] [--cpu]
+        the scenes that move, frame after frame: a plasma whose palette turns, and an oscilloscope with two buffers
     budget [--bless]
         fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
@@ -81,6 +84,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("size") => print_sizes(args),
         Some("scene") => print_scene(args),
         Some("cube") => print_cube(args),
+        Some("moving") => print_moving(args),
         Some("budget") => budget(args),
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
@@ -166,13 +170,20 @@ fn print_scene(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
     scene::check_all(&builds)?;
-    cube::check_all(&builds)
+    cube::check_all(&builds)?;
+    moving::check_all(&builds)
 }
 
 fn print_cube(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
     cube::check_all(&builds)
+}
+
+fn print_moving(mut args: Arguments) -> Result<()> {
+    let builds = builds(&mut args)?;
+    finish(args)?;
+    moving::check_all(&builds)
 }
 
 fn budget(mut args: Arguments) -> Result<()> {

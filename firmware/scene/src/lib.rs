@@ -1,5 +1,6 @@
 //! Frames that every chip and the host draw alike: the map of the world, a scene of every way to draw, the page of all
-//! shapes that `cargo run --example shapes` shows, and the cube of `cargo run --example cube`.
+//! shapes that `cargo run --example shapes` shows, the cube of `cargo run --example cube`, and the scenes that move: `plasma` and
+//! `scope`.
 //!
 //! The same code everywhere, integers only: their checksums must be equal, to the bit.
 #![no_std]
@@ -7,8 +8,13 @@
 #[path = "../../../examples/cube/scene.rs"]
 pub mod cube;
 pub mod map;
+pub mod moving;
 #[path = "../../../examples/shapes/page.rs"]
 pub mod page;
+#[path = "../../../examples/plasma/scene.rs"]
+pub mod plasma;
+#[path = "../../../examples/scope/scene.rs"]
+pub mod scope;
 pub mod shapes;
 
 use embedded_graphics::pixelcolor::Rgb565;
