@@ -53,6 +53,8 @@ pub struct Engine<F> {
     pub blit_key: Option<fn(&mut F, &Sprite<'_>)>,
     /// 8-bit indices through a table of RGB565 colours.
     pub expand: Option<fn(&mut F, &Indexed<'_>)>,
+    /// 4-bit indices through a table, as RGB565 with the high byte first.
+    pub expand_pairs: Option<fn(&mut F, &Indexed<'_>)>,
     /// Text of embedded-graphics.
     pub text: Option<fn(&mut F, &[Label<'_>])>,
 }
@@ -83,6 +85,7 @@ impl<F> Engine<F> {
             blit: None,
             blit_key: None,
             expand: None,
+            expand_pairs: None,
             text: None,
         }
     }
@@ -108,6 +111,7 @@ impl<F> Engine<F> {
             Work::Blit(sprite) => self.blit?(frame, sprite),
             Work::BlitKey(sprite) => self.blit_key?(frame, sprite),
             Work::Expand(indexed) => self.expand?(frame, indexed),
+            Work::ExpandPairs(indexed) => self.expand_pairs?(frame, indexed),
             Work::Text(labels) => self.text?(frame, labels),
         }
         Some(())

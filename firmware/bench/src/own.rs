@@ -4,11 +4,11 @@ use core::marker::PhantomData;
 
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
-use embedded_raster::pixel::row_bytes;
+use embedded_raster::pixel::{row_bytes, Be};
 use embedded_raster::raster::flood::{Connectivity, FloodSlot};
 use embedded_raster::{
-    Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index8, Join, Palette, Path, PathSegment, PixelFormat,
-    PointFx, Radii, Stroke, Surface,
+    Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index4, Index8, Join, Palette, Path, PathSegment,
+    PixelFormat, PointFx, Radii, Stroke, Surface,
 };
 
 use fixed::types::I24F8;
@@ -53,6 +53,7 @@ impl<F: PixelFormat> Default for Frame<F> {
 pub const RGB565: Engine<Frame<Rgb565>> = {
     let mut engine = engine(Format::Rgb565);
     engine.expand = Some(expand);
+    engine.expand_pairs = Some(expand_pairs);
     engine
 };
 /// At 8 bits.
@@ -218,4 +219,10 @@ fn text<F: PixelFormat>(frame: &mut Frame<F>, labels: &[Label<'_>]) {
 fn expand(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
     let palette = Palette::new(indexed.palette.map(|bits| Rgb565::from(RawU16::new(bits))));
     palette.expand::<Index8, Rgb565>(indexed.indices, &mut frame.memory);
+}
+
+fn expand_pairs(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
+    let colors = *indexed.palette.first_chunk::<16>().unwrap();
+    let palette = Palette::new(colors.map(|bits| Rgb565::from(RawU16::new(bits))));
+    palette.expand::<Index4, Be<Rgb565>>(&indexed.indices[..WIDTH * HEIGHT / 2], &mut frame.memory);
 }

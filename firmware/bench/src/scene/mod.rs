@@ -208,6 +208,8 @@ pub enum Work<'a> {
     BlitKey(Sprite<'a>),
     /// Indices to colours.
     Expand(Indexed<'a>),
+    /// Indices of four bits, two to a byte, to colours as a display wants them.
+    ExpandPairs(Indexed<'a>),
     /// Text.
     Text(&'a [Label<'a>]),
 }
@@ -255,7 +257,7 @@ pub struct Scene {
 
 impl Scene {
     /// Number of workloads.
-    pub const LEN: usize = 29;
+    pub const LEN: usize = 30;
 
     /// Makes all data, the same each time.
     pub fn new() -> Self {
@@ -323,6 +325,7 @@ impl Scene {
             ("blit-64", Work::Blit(sprite())),
             ("blit-key-64", Work::BlitKey(sprite())),
             ("expand-8bit", Work::Expand(pictures.indexed())),
+            ("expand-4bit", Work::ExpandPairs(pictures.indexed())),
             ("text", Work::Text(&self.text)),
             ("text-opaque", Work::Text(&self.opaque_text)),
         ]
@@ -340,7 +343,8 @@ impl Work<'_> {
     /// How many items are drawn.
     fn calls(&self) -> usize {
         match self {
-            Self::Clear(_) | Self::Polygon(_) | Self::Expand(_) | Self::Blob(_) | Self::Track(_) => 1,
+            Self::Clear(_) | Self::Polygon(_) | Self::Blob(_) | Self::Track(_) => 1,
+            Self::Expand(_) | Self::ExpandPairs(_) => 1,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => rects.len(),
             Self::Discs(boxes) | Self::Circles(boxes) | Self::Rounded(boxes) => boxes.len(),
             Self::Flood(_) => 2,
@@ -355,7 +359,7 @@ impl Work<'_> {
     /// How many pixels are drawn; see [`Workload::pixels`].
     fn pixels(&self) -> u32 {
         match self {
-            Self::Clear(_) | Self::Expand(_) => (WIDTH * HEIGHT) as u32,
+            Self::Clear(_) | Self::Expand(_) | Self::ExpandPairs(_) => (WIDTH * HEIGHT) as u32,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => {
                 rects.iter().map(|r| r.area.size.width * r.area.size.height).sum()
             }
