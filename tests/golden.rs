@@ -6,7 +6,7 @@
 #[path = "golden/compare.rs"]
 mod pictures;
 
-use std::convert::Infallible;
+use std::{convert::Infallible, thread};
 
 use embedded_graphics::{
     draw_target::DrawTarget,
@@ -23,15 +23,15 @@ use embedded_raster::{
         triangulate::{self, SideSlot},
         Arc, Curves,
     },
-    pixel::{Xrgb8888, EGA},
+    pixel::{Lsb0, Xrgb8888, EGA},
     px,
     raster::{
         flood::{Connectivity, FloodSlot},
         polygon::drop_out::DropOut,
     },
-    surface::{paged_bytes, Bitmap, Paged},
-    Affine, Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Framebuffer, Index1, Index2, Index4, Index8, Join,
-    Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
+    surface::{paged_bytes, Bitmap, Grid, Paged, Pages, Rows},
+    Affine, Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Frame, Framebuffer, Index1, Index2, Index4, Index8, Join,
+    Layout, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::{I16F16, I24F8};
@@ -496,4 +496,58 @@ fn pages() {
         draw(&mut pages);
         assert_eq!(compare(name, &Index1::picture(&pages)), None, "in pages");
     }
+}
+
+/// Scenes that do not read what was drawn before: what they draw in a part of a frame is what they draw in all of it.
+macro_rules! drawn_only {
+    () => {
+        [
+            ("lines", |on| lines(on)),
+            ("triangles", |on| triangles(on)),
+            ("polygons", |on| polygons(on)),
+            ("paths", |on| paths(on)),
+            ("svg", |on| svg(on)),
+            ("rectangles", |on| rectangles(on)),
+            ("rounds", |on| rounds(on)),
+            ("text", |on| text(on)),
+        ]
+    };
+}
+
+/// A scene on a layout.
+type On<L> = fn(&mut Frame<&mut [u8], L>);
+
+fn open<L: Layout>(memory: &mut [u8]) -> Frame<&mut [u8], L> {
+    Frame::new(memory, WIDTH, HEIGHT).expect("it has the bytes that it needs")
+}
+
+/// Every scene in one part to eight, each part in a thread: the bytes of the whole.
+fn in_parts<L: Layout + Send>(scenes: [(&str, On<L>); 8]) {
+    let bytes = L::bytes(WIDTH, Grid { stride: L::row_bytes(WIDTH), rows: HEIGHT.into() });
+    for (name, draw) in scenes {
+        let mut whole = vec![0xA5; bytes];
+        draw(&mut open(&mut whole));
+        for parts in 1..=8 {
+            let mut memory = vec![0xA5; bytes];
+            let mut rest = open::<L>(&mut memory);
+            thread::scope(|scope| {
+                for part in 1..parts {
+                    let row = i32::from(HEIGHT * part / parts / L::PAGE * L::PAGE);
+                    let (mut above, below) = rest.split_at_row(row).expect("no row shares its bytes with another part");
+                    scope.spawn(move || draw(&mut above));
+                    rest = below;
+                }
+                draw(&mut rest);
+            });
+            assert!(memory == whole, "{name} in {parts} parts");
+        }
+    }
+}
+
+#[test]
+fn many_cores_draw_the_same() {
+    in_parts::<Rows<Index1>>(drawn_only!());
+    in_parts::<Rows<Index4>>(drawn_only!());
+    in_parts::<Rows<Rgb565>>(drawn_only!());
+    in_parts::<Pages<Lsb0<Index1>>>(drawn_only!());
 }
