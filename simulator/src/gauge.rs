@@ -144,7 +144,7 @@ fn dial(frame: &mut Paged<'_, BinaryColor>, digits: &Digits) -> Result<(), Error
     // The last fifth is grey: through a mask that lets every other pixel through.
     let mut checks = [0; buffer_bytes::<BinaryColor>(SIZE.0, SIZE.1)];
     for (byte, i) in checks.iter_mut().zip(0..) {
-        *byte = if i / (SIZE.0 / 8) % 2 == 0 { 0xaa } else { 0x55 };
+        *byte = if (i / (SIZE.0 / 8)).is_multiple_of(2) { 0xaa } else { 0x55 };
     }
     let checks = Bitmap::<BinaryColor>::new(&checks, SIZE.0, SIZE.1)?;
     frame.stroke_path_aa(arc(805, 1000, 434), &Stroke::px(6), table, cells, Masked::new(checks, on))?;

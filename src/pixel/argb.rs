@@ -64,6 +64,7 @@ impl Argb8888 {
 
     /// The colour with its channels premultiplied: each the nearest level to `a s / 255`.
     #[inline]
+    #[must_use]
     pub fn premultiplied(self) -> Self {
         let [a, r, g, b] = self.argb();
         let part = |s: u8| low_u8(u32::from(s).wrapping_mul(a.into()).wrapping_add(127) / 255);

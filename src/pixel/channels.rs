@@ -35,6 +35,7 @@ pub trait Channels: PixelColor {
     /// assert_eq!(Rgb565::new(1, 2, 3).mixed_with([255, 128, 0], take), Rgb565::new(31, 32, 0));
     /// assert_eq!(Gray4::new(1).mixed_with([255, 128, 0], take), Gray4::new(9));
     /// ```
+    #[must_use]
     fn mixed_with(self, rgb: [u32; 3], mix: impl FnMut(u8, u8, u32) -> u8) -> Self;
 
     /// The colour that is `level` of 255 parts on the way from one colour to another: of each channel the nearest level.

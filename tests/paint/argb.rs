@@ -65,9 +65,10 @@ fn wanted<C: Channels>(source: u32, old: C, is_premultiplied: bool) -> C {
     }
     old.mixed_with([r, g, b], |d, most, s| {
         let (d, most) = (u32::from(d), u32::from(most));
-        let (n, all) = match is_premultiplied {
-            true => (most * s + (255 - a) * d, 255),
-            false => (most * a * s + 255 * (255 - a) * d, 65_025),
+        let (n, all) = if is_premultiplied {
+            (most * s + (255 - a) * d, 255)
+        } else {
+            (most * a * s + 255 * (255 - a) * d, 65_025)
         };
         ((2 * n + all) / (2 * all)).min(most) as u8
     })

@@ -56,7 +56,7 @@ fn means_of_light_are_the_nearest() {
     let mut rng = Rng::new(1_710);
     let odd = odd();
     for i in 0..cases(60_000) {
-        let (gamma, is_strict) = [(&SRGB, true), (&POWER, true), (&odd, false)][i as usize % 3];
+        let (gamma, is_strict) = [(&SRGB, true), (&POWER, true), (&odd, false)][i % 3];
         let (a, b, any) = (rng.bits() as u8, rng.bits() as u8, rng.bits() as u8);
         let level = rng.pick(&[0, 1, 127, 128, 254, 255, any, any]);
         let same = |got: u8, most: u8, ends: [u8; 2]| {

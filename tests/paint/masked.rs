@@ -67,7 +67,7 @@ type Wanted<'a, C> = &'a dyn Fn(C, u8, (i32, i32)) -> C;
 
 fn check<L: Layout, K: Layout>(
     rng: &mut Rng,
-    paint: impl Paint<Frame<Vec<u8>, L>> + Clone,
+    paint: &(impl Paint<Frame<Vec<u8>, L>> + Clone),
     wanted: Wanted<'_, L::Color>,
 ) where
     K::Color: PixelFormat<Color = K::Color>,
@@ -111,8 +111,8 @@ where
 {
     for _ in 0..cases(150) {
         let new = color(rng.bits() as u32);
-        check::<L, K>(rng, Solid(new), &|old, level, _| if level < 128 { old } else { new });
-        check::<L, K>(rng, Dithered::<_, 4>(new), &|old, level, at| dithered(old, new, level, at));
+        check::<L, K>(rng, &Solid(new), &|old, level, _| if level < 128 { old } else { new });
+        check::<L, K>(rng, &Dithered::<_, 4>(new), &|old, level, at| dithered(old, new, level, at));
     }
 }
 
@@ -123,7 +123,7 @@ where
 {
     for _ in 0..cases(150) {
         let new = color(rng.bits() as u32);
-        check::<L, K>(rng, Cover(new), &|old, level, _| {
+        check::<L, K>(rng, &Cover(new), &|old, level, _| {
             L::Color::mixed([old, new], |[a, b]| nearest(a, b, level.into(), 255))
         });
     }
@@ -223,7 +223,7 @@ fn stencils_clip_all_that_is_drawn() {
 /// A mask as a shape of its own: a glyph.
 fn glyphs<L: Layout, K: Layout>(
     rng: &mut Rng,
-    paint: impl Paint<Frame<Vec<u8>, L>> + Clone,
+    paint: &(impl Paint<Frame<Vec<u8>, L>> + Clone),
     wanted: Wanted<'_, L::Color>,
 ) where
     K::Color: PixelFormat<Color = K::Color>,
@@ -254,17 +254,17 @@ fn glyphs_of_every_depth() {
     let mut rng = Rng::new(1_750);
     let (on, grey, red) = (BinaryColor::On, Gray4::new(11), Rgb565::new(30, 3, 9));
     let threshold = |old, level, _: (i32, i32)| if level < 128 { old } else { on };
-    glyphs::<Pages<Lsb0<BinaryColor>>, Rows<Gray8>>(&mut rng, Solid(on), &threshold);
-    glyphs::<Rows<BinaryColor>, Rows<Lsb0<Gray4>>>(&mut rng, Dithered::<_, 4>(on), &|old, level, at| {
+    glyphs::<Pages<Lsb0<BinaryColor>>, Rows<Gray8>>(&mut rng, &Solid(on), &threshold);
+    glyphs::<Rows<BinaryColor>, Rows<Lsb0<Gray4>>>(&mut rng, &Dithered::<_, 4>(on), &|old, level, at| {
         dithered(old, on, level, at)
     });
     let mix =
         |old: Gray4, level: u8, _: (i32, i32)| Gray4::mixed([old, grey], |[a, b]| nearest(a, b, level.into(), 255));
-    glyphs::<Rows<Gray4>, Rows<Gray4>>(&mut rng, Cover(grey), &mix);
-    glyphs::<Rows<Lsb0<Gray4>>, Rows<Gray2>>(&mut rng, Cover(grey), &mix);
+    glyphs::<Rows<Gray4>, Rows<Gray4>>(&mut rng, &Cover(grey), &mix);
+    glyphs::<Rows<Lsb0<Gray4>>, Rows<Gray2>>(&mut rng, &Cover(grey), &mix);
     let mix =
         |old: Rgb565, level: u8, _: (i32, i32)| Rgb565::mixed([old, red], |[a, b]| nearest(a, b, level.into(), 255));
-    glyphs::<Rows<Rgb565>, Rows<Gray8>>(&mut rng, Cover(red), &mix);
-    glyphs::<Rows<Be<Rgb565>>, Rows<Lsb0<Gray2>>>(&mut rng, Cover(red), &mix);
-    glyphs::<Rows<Be<Rgb565>>, Pages<Index1>>(&mut rng, Cover(red), &mix);
+    glyphs::<Rows<Rgb565>, Rows<Gray8>>(&mut rng, &Cover(red), &mix);
+    glyphs::<Rows<Be<Rgb565>>, Rows<Lsb0<Gray2>>>(&mut rng, &Cover(red), &mix);
+    glyphs::<Rows<Be<Rgb565>>, Pages<Index1>>(&mut rng, &Cover(red), &mix);
 }

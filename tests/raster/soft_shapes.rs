@@ -237,6 +237,9 @@ fn sectors_and_rings_cover_what_lies_in_them() {
     println!("sectors and rings are at most {worst} 255ths off samples");
 }
 
+/// What tells a shape, with scratch memory.
+type Shape<'a> = &'a dyn Fn(&mut [CoverageSlot], &mut [i32], &mut Levels);
+
 #[test]
 fn sectors_that_are_all_or_nothing() {
     let window = Rect::new(-2, -2, 30, 30);
@@ -244,14 +247,14 @@ fn sectors_that_are_all_or_nothing() {
         Ellipse::circle(PointFx::px(14, 13), I24F8::from_num(11)),
         Ellipse::circle(PointFx::px(14, 13), I24F8::from_num(6)),
     );
-    let levels = |shape: &dyn Fn(&mut [CoverageSlot], &mut [i32], &mut Levels)| told(window, shape).levels;
+    let levels = |shape: Shape<'_>| told(window, shape).levels;
     let whole =
         levels(&|table, cells, levels| coverage::ellipse(disc, table, cells, window, levels).expect("enough slots"));
     let ring =
         levels(&|table, cells, levels| coverage::ring(disc, hole, table, cells, window, levels).expect("enough slots"));
     let of = |sector: Sector| {
         let slice = levels(&|table, cells, levels| {
-            coverage::sector(disc, sector, table, cells, window, levels).expect("enough slots")
+            coverage::sector(disc, sector, table, cells, window, levels).expect("enough slots");
         });
         let part = levels(&|table, cells, levels| {
             coverage::ring_sector(disc, hole, sector, (table, cells), window, levels).expect("enough slots");

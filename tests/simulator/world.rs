@@ -173,7 +173,11 @@ fn soft_rims_leave_no_seams() {
         let world = World::new(&map, Screen { projection, width, height });
         let (window, covered) = (world.window(), coverage_of(&world));
         // Darker than the ground, each country and its neighbours by another shade.
-        let colors: Vec<u8> = map.colors(Part::LAND_COLORS).into_iter().map(|color| 40 + 16 * color as u8).collect();
+        let colors: Vec<u8> = map
+            .colors(Part::LAND_COLORS)
+            .into_iter()
+            .map(|color| 40 + 16 * u8::try_from(color).expect("one of six"))
+            .collect();
         let (mut table, mut cells) = (vec![CoverageSlot::EMPTY; 400], vec![0; coverage::cells(width)]);
         let white = || Frame::<_, Rows<Gray8>>::new(vec![255; usize::from(width) * usize::from(height)], width, height);
         let (mut shown, mut painted) = (white().expect("enough memory"), white().expect("enough memory"));
