@@ -3,12 +3,19 @@
 //! Each thing is clipped where it is known: rows once a line, as all cells of a line have the same; columns once a glyph. What is
 //! left of a glyph goes to the surface in strips of up to eight columns, which lie in its window: see
 //! [`strip`](crate::pixel::rows::strip).
+//!
+//! A line may begin far outside of what `i32` holds, and reach into it. Where its base falls is a wide number; from there on columns
+//! have 32 bits, and the sides of the window are as far from the base as they are, or out of reach.
 
 use core::ops::Range;
 
 use embedded_graphics_core::geometry::Point;
 
-use super::{font::Glyph, line::Lines, style::Style};
+use super::{
+    font::Glyph,
+    line::{Lines, Pen},
+    style::Style,
+};
 use crate::{
     num::cast::{index, narrow, saturate, unsigned},
     span::Rect,
@@ -16,80 +23,83 @@ use crate::{
 };
 
 /// No box begins further on the left of its cell than this.
-const OVERHANG: i64 = 128;
+const OVERHANG: i32 = 128;
 
-impl<S: Copy> Style<'_, S> {
+/// Further from its base than any glyph.
+const OUT_OF_REACH: i64 = 1 << 30;
+
+impl<C: Copy> Style<'_, C> {
     /// Draws a text at a point: see [`text`](crate::text) for which pixels.
     ///
     /// Cannot fail. What lies outside of the window is clipped.
     #[doc(alias("drawString", "draw_string", "print", "drawStr", "Text", "draw_text"))]
-    pub fn draw<T: Surface<Color = S> + ?Sized>(&self, on: &mut T, at: impl Into<Point>, text: &str) {
+    pub fn draw<S: Surface<Color = C> + ?Sized>(&self, on: &mut S, at: impl Into<Point>, text: &str) {
         let (at, window) = (at.into(), on.window());
         let mut top = self.first_row(at.y, text);
         for line in Lines(Some(text)) {
             if top >= i64::from(window.y1) {
                 return;
             }
-            if let Some(row) = Row::of(top, self.font.height(), window) {
+            if let Some(rows) = Rows::of(top, self.font.height(), window) {
                 let columns = if self.is_counted() { self.columns(line) } else { 0 };
-                self.draw_line(on, self.start(at.x, columns), line, &row);
+                self.draw_line(on, self.start(at.x, columns), line, &rows);
             }
             top = top.wrapping_add(self.line_distance().into());
         }
     }
 
     /// A line of which some rows are visible.
-    fn draw_line<T: Surface<Color = S> + ?Sized>(&self, on: &mut T, start: i64, line: &str, row: &Row) {
+    fn draw_line<S: Surface<Color = C> + ?Sized>(&self, on: &mut S, start: i64, line: &str, rows: &Rows) {
         let mut ground = self.ground;
         if self.font.overhangs() {
             // No cell may hide what leans into it: all of the ground comes first.
             if let Some(color) = ground.take() {
                 let end = start.saturating_add_unsigned(self.columns(line));
-                row.fill(on, start..end, row.top..row.bottom, color);
+                rows.fill(on, start..end, rows.top..rows.bottom, color);
             }
         }
-        let mut pen = self.pen(start);
+        let mut pen = self.pen();
+        let mut row = Row::of(rows, start, &pen);
         for character in line.chars() {
-            let start = pen.column();
-            if start >= row.window_end {
+            let cell = pen.column();
+            if cell >= row.end.wrapping_add(OVERHANG) {
                 return;
             }
             match (pen.next(self.font, character), ground) {
-                (Some(glyph), ground) if glyph.fills_cell => row.draw(on, start, &glyph, self.color, ground),
                 (Some(glyph), ground) => {
-                    if let Some(color) = ground {
-                        row.surround(on, start, &glyph, color);
+                    if let Some(color) = ground.filter(|_| !glyph.fills_cell) {
+                        row.surround(on, cell, &glyph, color);
                     }
-                    row.draw(on, start, &glyph, self.color, ground);
+                    row.draw(on, cell, &glyph, self.color, ground);
                 }
-                (None, Some(color)) => row.fill(on, start..pen.column(), row.top..row.bottom, color),
+                (None, Some(color)) => row.fill(on, cell..pen.column(), rows.top..rows.bottom, color),
                 (None, None) => {}
+            }
+            if pen.moves_base() {
+                row = Row::of(rows, start, &pen);
             }
         }
     }
 }
 
-/// The visible part of a row of cells.
-struct Row {
+/// The visible rows of a line of cells.
+struct Rows {
     window: Rect,
-    /// The column from which on no cell is visible, nor the box of a glyph that begins there.
-    window_end: i64,
-    /// The row of the first row of cells. It may lie above all numbers, as an `i32` it is right modulo 2^32.
+    /// The row of the first row of cells. It may lie above all numbers; as an `i32` it is right modulo 2^32.
     first: i32,
     /// Rows of cells that are visible.
     top: i32,
     bottom: i32,
 }
 
-impl Row {
+impl Rows {
     /// Cells of so many rows, the first of them in row `first`. `None` if none is visible.
     #[inline]
     fn of(first: i64, rows: u8, window: Rect) -> Option<Self> {
         let top = i64::from(window.y0).saturating_sub(first).max(0);
         let bottom = i64::from(window.y1).saturating_sub(first).min(rows.into());
-        let window_end = i64::from(window.x1).wrapping_add(OVERHANG);
         let is_visible = top < bottom && window.x0 < window.x1;
-        is_visible.then(|| Self { window, window_end, first: narrow(first), top: narrow(top), bottom: narrow(bottom) })
+        is_visible.then(|| Self { window, first: narrow(first), top: narrow(top), bottom: narrow(bottom) })
     }
 
     /// The part of some rows of a cell that is visible.
@@ -99,57 +109,89 @@ impl Row {
     }
 
     /// Paints columns, wherever they are, in rows of cells.
-    #[inline]
-    fn fill<T: Surface + ?Sized>(&self, on: &mut T, columns: Range<i64>, rows: Range<i32>, color: T::Color) {
+    fn fill<S: Surface + ?Sized>(&self, on: &mut S, columns: Range<i64>, rows: Range<i32>, color: S::Color) {
         let Range { start, end } = self.seen(rows);
         let row = |row: i32| self.first.wrapping_add(row);
         if start < end {
             on.fill_area(Rect::new(saturate(columns.start), row(start), saturate(columns.end), row(end)), color);
         }
     }
+}
+
+/// A row of cells near the base of a pen: columns are counted from there.
+struct Row<'a> {
+    rows: &'a Rows,
+    base: i64,
+    /// The first column of the window, and the one after its last.
+    start: i32,
+    end: i32,
+}
+
+impl<'a> Row<'a> {
+    /// Of a line that starts in a column of the surface.
+    fn of(rows: &'a Rows, start: i64, pen: &Pen) -> Self {
+        let base = start.saturating_add(pen.base());
+        let distance = |x: i32| narrow(i64::from(x).saturating_sub(base).clamp(-OUT_OF_REACH, OUT_OF_REACH));
+        Self { rows, base, start: distance(rows.window.x0), end: distance(rows.window.x1) }
+    }
+
+    /// Paints columns in rows of cells.
+    fn fill<S: Surface + ?Sized>(&self, on: &mut S, columns: Range<i32>, rows: Range<i32>, color: S::Color) {
+        let column = |x: i32| self.base.saturating_add(x.into());
+        self.rows.fill(on, column(columns.start)..column(columns.end), rows, color);
+    }
 
     /// Paints what lies in a cell around the box of its glyph.
-    fn surround<T: Surface + ?Sized>(&self, on: &mut T, start: i64, glyph: &Glyph<'_>, color: T::Color) {
-        let end = start.wrapping_add(glyph.advance.into());
-        let left = start.wrapping_add(glyph.left.into());
+    #[inline(never)]
+    fn surround<S: Surface + ?Sized>(&self, on: &mut S, cell: i32, glyph: &Glyph<'_>, color: S::Color) {
+        let end = cell.wrapping_add(glyph.advance.into());
+        let left = cell.wrapping_add(glyph.left.into());
         let right = left.wrapping_add(glyph.width.into());
         let above = i32::from(glyph.top);
         let below = above.wrapping_add(glyph.height.into());
-        self.fill(on, start..end, 0..above, color);
-        self.fill(on, start..left, above..below, color);
-        self.fill(on, right..end, above..below, color);
-        self.fill(on, start..end, below..self.bottom, color);
+        let parts = [
+            (cell..end, 0..above),
+            (cell..left, above..below),
+            (right..end, above..below),
+            (cell..end, below..self.rows.bottom),
+        ];
+        for (columns, rows) in parts {
+            self.fill(on, columns, rows, color);
+        }
     }
 
     /// Paints the box of a glyph whose cell begins in a column.
     #[inline]
-    fn draw<T: Surface + ?Sized>(
+    fn draw<S: Surface + ?Sized>(
         &self,
-        on: &mut T,
-        start: i64,
+        on: &mut S,
+        cell: i32,
         glyph: &Glyph<'_>,
-        color: T::Color,
-        ground: Option<T::Color>,
+        color: S::Color,
+        ground: Option<S::Color>,
     ) {
-        let x = start.wrapping_add(glyph.left.into());
-        // Columns of the box that are visible: below 256, if there are any.
-        let first = i64::from(self.window.x0).wrapping_sub(x).max(0);
-        let end = narrow(i64::from(self.window.x1).wrapping_sub(x).min(glyph.width.into()));
+        let x = cell.wrapping_add(glyph.left.into());
+        // Columns of the box that are visible, and its rows.
+        let mut first = self.start.wrapping_sub(x).max(0);
+        let end = self.end.wrapping_sub(x).min(glyph.width.into());
         let above = i32::from(glyph.top);
-        let rows = self.seen(above..above.wrapping_add(glyph.height.into()));
-        if first >= i64::from(end) || rows.is_empty() {
+        let rows = self.rows.seen(above..above.wrapping_add(glyph.height.into()));
+        if first >= end || rows.start >= rows.end {
             return;
         }
-        let (mut first, y) = (narrow(first), self.first.wrapping_add(rows.start));
+        let (x, y) = (narrow(self.base).wrapping_add(x), self.rows.first.wrapping_add(rows.start));
         let (skip, len) = (index(rows.start.wrapping_sub(above)), index(rows.end.wrapping_sub(rows.start)));
-        while first < end {
+        loop {
             // One strip: eight columns, of which those from `first` on are visible, and those up to `end`.
             let strip = first & !7;
             let bits = index(strip >> 3).wrapping_mul(glyph.height.into()).wrapping_add(skip);
             let bytes = glyph.strips.get(bits..bits.wrapping_add(len)).unwrap_or_default();
             let columns = (unsigned(first & 7), unsigned(end.wrapping_sub(strip).min(8)));
-            on.fill_strip(Strip::inside(narrow(x).wrapping_add(strip), y, columns, bytes), color, ground);
+            on.fill_strip(Strip::inside(x.wrapping_add(strip), y, columns, bytes), color, ground);
             first = strip.wrapping_add(8);
+            if first >= end {
+                return;
+            }
         }
     }
 }

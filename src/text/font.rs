@@ -1,35 +1,13 @@
 //! [`Font`]: glyphs as bytes.
 //!
-//! # Bytes of a font
-//! Numbers of several bytes have the least significant one first.
-//!
-//! | bytes | what |
-//! |---|---|
-//! | 4 | `erf1` |
-//! | 1 | rows of a cell, at least 1 |
-//! | 1 | rows of a cell down to the baseline, with it |
-//! | 5 | the glyph that all are like: advance; columns on the left of its box (signed), rows above it; columns and rows of it |
-//! | 1 | 0 if all glyphs are like that one, 1 if each has an entry of its own |
-//! | 2 | glyphs, at least 1 |
-//! | 2 | which of them stands for characters that the font lacks |
-//! | 2 | ranges of characters |
-//! | 2 | 0 |
-//! | 8 for each range | the first character (4), how many there are (2), the glyph of the first (2) |
-//! | 8 for each entry | where its bits begin (3), and what is said of a glyph above (5) |
-//! | | bits |
-//!
-//! Ranges are sorted and do not overlap. The bits of a glyph are those of its box, in strips of eight columns: first the strip at
-//! its left, a byte for each row from the top down, with the leftmost pixel in the most significant bit; then the next strip.
-//! What lies beyond the last column is 0. Without entries, bits begin where those of the glyph before end.
-//!
-//! A box does not leave its cell upwards or downwards. To the left and to the right it may: that is how slanted letters lean over
-//! their neighbours.
+//! All is checked when a font is read, so that nothing is checked when it is drawn: looking a glyph up is a search in sorted ranges, an
+//! entry or a product, and a slice.
 
 use core::fmt;
 
 use bytemuck::pod_align_to;
 
-use crate::error::FontError;
+use crate::{error::FontError, num::cast::low_u16};
 
 /// The first bytes of every font.
 const MAGIC: [u8; 4] = *b"erf1";
@@ -56,6 +34,31 @@ const RECORD: usize = 8;
 /// assert_eq!((FONT.height(), FONT.width("xxx")), (4, 12));
 /// assert!(FONT.has('x') && !FONT.has('y'));
 /// ```
+///
+/// # Bytes
+/// Numbers of several bytes have the least significant one first.
+///
+/// | bytes | what |
+/// |---|---|
+/// | 4 | `erf1` |
+/// | 1 | rows of a cell, at least 1 |
+/// | 1 | rows of a cell down to the baseline, with it |
+/// | 5 | the glyph that all are like: advance; columns on the left of its box (signed), rows above it; columns and rows of it |
+/// | 1 | 0 if all glyphs are like that one, 1 if each has an entry of its own |
+/// | 2 | glyphs, at least 1 |
+/// | 2 | which of them stands for characters that the font lacks |
+/// | 2 | ranges of characters |
+/// | 2 | 0 |
+/// | 8 for each range | the first character (4), how many there are (2), the glyph of the first (2) |
+/// | 8 for each entry | where its bits begin (3), and what is said of a glyph above (5) |
+/// | | bits |
+///
+/// Ranges are sorted and do not overlap. The bits of a glyph are those of its box, in strips of eight columns: first the strip at
+/// its left, a byte for each row from the top down, with the leftmost pixel in the most significant bit; then the next strip.
+/// What lies beyond the last column is 0. Without entries, bits begin where those of the glyph before end.
+///
+/// A box does not leave its cell upwards or downwards. To the left and to the right it may: that is how slanted letters lean over
+/// their neighbours.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub struct Font<'a> {
     height: u8,
@@ -272,22 +275,21 @@ impl<'a> Font<'a> {
         advances.fold(0, u32::saturating_add)
     }
 
-    /// The number of the glyph of a character: halving, until one range is left.
+    /// The number of the glyph of a character. Most texts are in the first range: that is looked at first, then the middle one of those
+    /// that are left.
     #[inline]
     fn number(&self, character: char) -> Option<u16> {
         let (_, mut ranges, _) = pod_align_to::<u8, [u8; RECORD]>(self.ranges);
-        while let Some(&[a, b, c, d, count0, count1, glyph0, glyph1]) = ranges.get(ranges.len() / 2) {
+        let mut probe = 0;
+        while let Some(&[a, b, c, d, count0, count1, glyph0, glyph1]) = ranges.get(probe) {
             let first = u32::from_le_bytes([a, b, c, d]);
-            let (before, after) = ranges.split_at_checked(ranges.len() / 2).unwrap_or_default();
-            if u32::from(character) < first {
-                ranges = before;
-                continue;
-            }
             let place = u32::from(character).wrapping_sub(first);
             if place < u32::from(u16::from_le_bytes([count0, count1])) {
-                return u16::try_from(place).ok().map(|place| u16::from_le_bytes([glyph0, glyph1]).wrapping_add(place));
+                return Some(u16::from_le_bytes([glyph0, glyph1]).wrapping_add(low_u16(place)));
             }
-            ranges = after.get(1..).unwrap_or_default();
+            let (before, after) = ranges.split_at_checked(probe).unwrap_or_default();
+            ranges = if u32::from(character) < first { before } else { after.get(1..).unwrap_or_default() };
+            probe = ranges.len() / 2;
         }
         None
     }

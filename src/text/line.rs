@@ -1,6 +1,7 @@
 //! [`Lines`] of a text, and a [`Pen`] that goes along one.
 
 use super::font::{Font, Glyph};
+use crate::tune::keep_rolled;
 
 /// The lines of a text: what stands between newlines. There is one more of them than newlines.
 pub(super) struct Lines<'a>(pub(super) Option<&'a str>);
@@ -19,23 +20,53 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Where the next cell of a line begins. Columns are wide: a line may begin far outside of what `i32` holds, and reach into it.
+/// Where the next cell of a line begins, in columns from the start of the line.
+///
+/// A line may be longer than any number of 32 bits says. So columns are counted from a column of the line, the base, which moves on
+/// every million of them.
 pub(super) struct Pen {
-    column: i64,
+    base: i64,
+    column: i32,
     /// The next tab stop, or one before.
     stop: i64,
     tab: u16,
 }
 
+/// From which column on the base moves on. A character adds less than 2^16.
+const FAR: i32 = 1 << 20;
+
 impl Pen {
     #[inline]
-    pub(super) const fn new(start: i64, tab: u16) -> Self {
-        Self { column: start, stop: start, tab }
+    pub(super) const fn new(tab: u16) -> Self {
+        Self { base: 0, column: 0, stop: 0, tab }
     }
 
+    /// Columns from the base, no more than some over a million.
     #[inline(always)]
-    pub(super) const fn column(&self) -> i64 {
+    pub(super) const fn column(&self) -> i32 {
         self.column
+    }
+
+    /// Columns before the base.
+    #[inline]
+    pub(super) const fn base(&self) -> i64 {
+        self.base
+    }
+
+    /// Columns from the start of the line.
+    #[inline]
+    pub(super) fn total(&self) -> i64 {
+        self.base.wrapping_add(self.column.into())
+    }
+
+    /// Moves the base on, if the pen is far from it. Says whether it did: to be called after each character.
+    #[inline(always)]
+    pub(super) fn moves_base(&mut self) -> bool {
+        let is_far = self.column >= FAR;
+        if is_far {
+            (self.base, self.column) = (self.total(), 0);
+        }
+        is_far
     }
 
     /// Moves over a character to the end of its cell. Its glyph; `None` if it has none but room, perhaps.
@@ -43,11 +74,7 @@ impl Pen {
     pub(super) fn next<'a>(&mut self, font: &Font<'a>, character: char) -> Option<Glyph<'a>> {
         match character {
             '\t' => {
-                // Each stop is passed once in a line, so no division is needed.
-                while self.tab > 0 && self.stop <= self.column {
-                    self.stop = self.stop.wrapping_add(self.tab.into());
-                }
-                self.column = self.stop.max(self.column);
+                self.next_stop();
                 None
             }
             '\r' => None,
@@ -56,6 +83,21 @@ impl Pen {
                 self.column = self.column.wrapping_add(glyph.advance.into());
                 Some(glyph)
             }
+        }
+    }
+
+    /// Moves to the next tab stop. Each stop is passed once in a line, so no division is needed.
+    #[cold]
+    fn next_stop(&mut self) {
+        let column = self.total();
+        while self.tab > 0 && self.stop <= column {
+            self.stop = self.stop.wrapping_add(self.tab.into());
+            // Or it becomes a division, of 128 bits.
+            keep_rolled(true);
+        }
+        if self.tab > 0 {
+            // Less than 2^16 columns on.
+            self.column = i32::try_from(self.stop.wrapping_sub(self.base)).unwrap_or(FAR);
         }
     }
 }

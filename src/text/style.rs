@@ -146,11 +146,15 @@ impl<'a, C: Copy> Style<'a, C> {
         Rect::new(saturate(first), saturate(top), saturate(end), saturate(bottom))
     }
 
-    /// Columns of the cells of a line.
+    /// Columns of the cells of a line. One function, which drawing and measuring call.
+    #[inline(never)]
     pub(super) fn columns(&self, line: &str) -> u64 {
-        let mut pen = self.pen(0);
-        line.chars().for_each(|c| _ = pen.next(self.font, c));
-        pen.column().unsigned_abs()
+        let mut pen = self.pen();
+        for character in line.chars() {
+            pen.next(self.font, character);
+            pen.moves_base();
+        }
+        pen.total().unsigned_abs()
     }
 
     /// Rows from the first of the first line to the last of the last.
@@ -195,7 +199,7 @@ impl<'a, C: Copy> Style<'a, C> {
 
     /// At the start of a line.
     #[inline]
-    pub(super) const fn pen(&self, start: i64) -> Pen {
-        Pen::new(start, self.tab)
+    pub(super) const fn pen(&self) -> Pen {
+        Pen::new(self.tab)
     }
 }

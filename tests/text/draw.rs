@@ -188,3 +188,26 @@ fn a_draw_target_gets_runs() {
     });
     assert_eq!(runs.0, [(3, 0, 5), (5, 0, 5)]);
 }
+
+/// A line of millions of columns, of which the last letters are seen.
+#[test]
+fn a_line_may_be_longer_than_its_numbers() {
+    let (before, seen) = ("A\t".repeat(100), "Ag");
+    let style = Style::new(&FONT_8X13, Gray8::new(9)).opaque(Gray8::new(3)).tab(65_000);
+    let [mut whole, mut end] = [(); 2].map(|()| vec![0; buffer_bytes::<Gray8>(40, 20)]);
+    let mut frame = Framebuffer::<Gray8>::new(&mut end, 40, 20).expect("the right size");
+    style.draw(&mut frame, (4, 12), &format!("\t{seen}"));
+    assert!(frame.colors(frame.window()).all(|color| color == Gray8::new(0) || color == Gray8::new(3)), "a tab alone");
+    frame.clear(Gray8::new(0));
+    style.draw(&mut frame, (4, 12), seen);
+    frame.fill_area(Rect::new(0, 2, 4, 15), Gray8::new(3));
+    let text = format!("{before}{seen}");
+    assert_eq!(style.size(&text), Size::new(6_500_016, 13));
+    for style in [style, style.horizontal(Horizontal::Right)] {
+        let x = if style == style.horizontal(Horizontal::Right) { 4 + 15 } else { 4 - 6_500_000 };
+        whole.fill(0);
+        let mut frame = Framebuffer::<Gray8>::new(&mut whole, 40, 20).expect("the right size");
+        style.draw(&mut frame, (x, 12), &text);
+        assert!(whole == end, "{x}");
+    }
+}

@@ -279,26 +279,38 @@ pub(super) fn draw_strip<F: PixelFormat>(
     }
 }
 
-/// The bits of the pixels of a byte that are set in a mask: that of the leftmost pixel is its bit 15.
+/// The bits of the pixels of a byte that are set in a mask: that of the leftmost pixel is its bit 15. Bits above do not matter.
 #[inline(always)]
 fn spread<F: PixelFormat>(mask: u32) -> u8 {
-    let bits = low_u8(mask >> 8);
-    let full = match F::BITS {
-        1 => bits,
-        2 => {
-            // abcd.... as aabbccdd
-            let pairs = bits & 0xc0 | bits >> 2 & 0x0c;
-            let apart = pairs & 0x88 | pairs >> 1 & 0x22;
-            apart | apart >> 1
-        }
-        // ab...... as aaaabbbb
-        _ => (bits >> 7).wrapping_neg() & 0xf0 | (bits >> 6 & 1).wrapping_neg() & 0x0f,
-    };
-    if F::LSB0 {
-        full.reverse_bits()
-    } else {
-        full
+    if F::BITS == 1 {
+        let bits = low_u8(mask >> 8);
+        return if F::LSB0 { bits.reverse_bits() } else { bits };
     }
+    let table = const { spreads(F::BITS, F::LSB0) };
+    table[(mask >> (16 - 8 / F::BITS)) as usize & last_of_table::<F>()]
+}
+
+/// The last entry of [`spreads`] that is needed: a bit for each pixel of a byte.
+const fn last_of_table<F: PixelFormat>() -> usize {
+    ((1 << (8 / F::BITS)) - 1) & 15
+}
+
+/// For the bits of the pixels of a byte, the leftmost one on top, all bits of those that are set.
+const fn spreads(bits: u32, lsb0: bool) -> [u8; 16] {
+    let mut table = [0; 16];
+    let mut set = 0;
+    while set < 16 {
+        let (mut byte, mut pixel) = (0_u8, 0);
+        while pixel < 8 / bits {
+            if set >> (8 / bits - 1 - pixel) & 1 != 0 {
+                byte |= (0xff_u8 >> (8 - bits)) << (8 - bits - bits * pixel);
+            }
+            pixel += 1;
+        }
+        table[set] = if lsb0 { byte.reverse_bits() } else { byte };
+        set += 1;
+    }
+    table
 }
 
 /// Copies pixels.

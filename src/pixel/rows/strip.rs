@@ -35,16 +35,21 @@ pub(crate) fn draw<F: PixelFormat>(
     (strip, (skip, width)): (&[u8], (u32, u32)),
     (on, off): (u32, Option<u32>),
 ) {
-    let mask = low_u8(0xff00 >> width);
     if F::BITS < 8 {
-        return packed::draw_strip::<F>(memory, (row, stride), x, (strip, (skip, mask)), (on, off));
+        let wanted = low_u8(0xff00 >> width);
+        return packed::draw_strip::<F>(memory, (row, stride), x, (strip, (skip, wanted)), (on, off));
     }
     let Some(memory) = memory.get_mut(byte::<F>(row, x)..) else { return };
-    // What is wanted of a row, the leftmost pixel in bit 31.
-    let rows = strip.iter().map(|bits| u32::from(low_u8(u32::from(*bits) << skip) & mask) << 24);
+    if let (16, true, Some(off)) = (F::BITS, PAIRS && skip == 0, off) {
+        return in_pairs((memory, stride), width, strip, low_u16(on), low_u16(off));
+    }
+    // The leftmost pixel that is wanted in bit 31. Bits that follow the wanted ones lie beyond the end of a row.
+    let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << skip);
     match F::BITS {
         8 => expand((memory, stride), width, rows, [low_u8(on)], off.map(|off| [low_u8(off)])),
-        16 => expand16((memory, stride), width, rows, low_u16(on), off.map(low_u16)),
+        16 => {
+            expand((memory, stride), width, rows, low_u16(on).to_le_bytes(), off.map(|off| low_u16(off).to_le_bytes()))
+        }
         24 => expand((memory, stride), width, rows, word::three(on), off.map(word::three)),
         _ => expand((memory, stride), width, rows, on.to_le_bytes(), off.map(u32::to_le_bytes)),
     }
@@ -62,7 +67,8 @@ fn each_row(
         let Some(row) = memory.get_mut(..len) else { return };
         f(row, bits);
         // The last row may end before its stride does.
-        memory = take(&mut memory).get_mut(stride..).unwrap_or_default();
+        let Some(rest) = take(&mut memory).get_mut(stride..) else { return };
+        memory = rest;
     }
 }
 
@@ -90,7 +96,7 @@ fn expand<const N: usize>(
     }
 }
 
-/// The set pixels of a row; no bit is set beyond its end.
+/// The set pixels of a row.
 #[inline(always)]
 fn light<const N: usize>(row: &mut [u8], mut bits: u32, on: [u8; N])
 where
@@ -115,47 +121,37 @@ where
     }
 }
 
-/// Pixels of 16 bits.
+/// Pixels of 16 bits on a ground, in whole pairs, and the last column by itself if there is one more.
 #[inline(always)]
-fn expand16(
-    (memory, stride): (&mut [u8], usize),
-    width: u32,
-    rows: impl Iterator<Item = u32> + Clone,
-    on: u16,
-    off: Option<u16>,
-) {
-    let Some(ground) = off.filter(|_| PAIRS) else {
-        return expand((memory, stride), width, rows, on.to_le_bytes(), off.map(u16::to_le_bytes));
-    };
+fn in_pairs((memory, stride): (&mut [u8], usize), width: u32, strip: &[u8], on: u16, ground: u16) {
     let pair = |left: u16, right: u16| (u32::from(right) << 16 | u32::from(left)).to_le_bytes();
     let pairs = [pair(ground, ground), pair(ground, on), pair(on, ground), pair(on, on)];
     if width & 1 != 0 {
-        // The last column by itself.
         let last = width.wrapping_sub(1);
         if let Some(memory) = memory.get_mut((last as usize).wrapping_mul(2)..) {
-            let rows = rows.clone().map(|bits| bits << last);
+            let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << last);
             expand((memory, stride), 1, rows, on.to_le_bytes(), Some(ground.to_le_bytes()));
         }
     }
     match width >> 1 {
-        1 => in_pairs::<1>((memory, stride), rows, &pairs),
-        2 => in_pairs::<2>((memory, stride), rows, &pairs),
-        3 => in_pairs::<3>((memory, stride), rows, &pairs),
-        4 => in_pairs::<4>((memory, stride), rows, &pairs),
+        1 => rows_of_pairs::<1>((memory, stride), strip, &pairs),
+        2 => rows_of_pairs::<2>((memory, stride), strip, &pairs),
+        3 => rows_of_pairs::<3>((memory, stride), strip, &pairs),
+        4 => rows_of_pairs::<4>((memory, stride), strip, &pairs),
         _ => {}
     }
 }
 
 /// `N` pairs in each row.
 #[inline(always)]
-fn in_pairs<const N: usize>(memory: (&mut [u8], usize), rows: impl Iterator<Item = u32>, pairs: &[[u8; 4]; 4]) {
-    each_row(memory, N.wrapping_mul(4), rows, |row, bits| {
+fn rows_of_pairs<const N: usize>(memory: (&mut [u8], usize), strip: &[u8], pairs: &[[u8; 4]; 4]) {
+    each_row(memory, N.wrapping_mul(4), strip.iter().map(|bits| u32::from(*bits)), |row, bits| {
         let (_, places, _) = pod_align_to_mut::<u8, [u8; 4]>(row);
         let Some(places) = places.first_chunk_mut::<N>() else { return };
-        let mut shift = 30;
+        let mut shift = 6;
         for place in places {
             *place = pairs[(bits >> shift & 3) as usize];
-            shift = u32::wrapping_sub(shift, 2);
+            shift = u32::wrapping_sub(shift, 2) & 7;
         }
     });
 }
