@@ -135,6 +135,9 @@ fn every_call<L: Layout>(frame: &mut Frame<&mut [u8], L>, a: &mut Arguments<'_, 
     for number in 0..frames::NAMES.len() {
         black_box(frames::call(frame, a, number));
     }
+    for number in 0..calls::texts::NAMES.len() {
+        black_box(calls::texts::call(frame, a, number));
+    }
 }
 
 /// Screens of a layout, views of views of them, and bands.

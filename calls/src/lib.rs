@@ -12,6 +12,7 @@
 //! | [`computing::call`] | what needs no surface: shapes to spans, geometry, angles, palettes | nothing |
 //! | [`blending::call`] | what mixes colours | a frame of 16 bits |
 //! | [`shading::call`] | values over triangles, textures, the pipeline | a picture for the texels |
+//! | [`texts::call`] | fonts, and text | any surface |
 //! | [`space::call`] | vectors, matrices, surfaces and light, with arguments of their own | nothing |
 //! | [`damage::call`] | what has changed, and what is to be sent of it | a list of rectangles |
 //! | [`present::call`] | buffers and bands on their way to a display, likewise | nothing |
@@ -30,6 +31,7 @@ pub mod paths;
 pub mod present;
 pub mod shading;
 pub mod space;
+pub mod texts;
 
 use antialias::with_scratch;
 use embedded_graphics_core::{

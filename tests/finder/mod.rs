@@ -52,7 +52,7 @@ impl Source {
             let path = entry.expect("an entry of a folder").path();
             if path.is_dir() {
                 self.add_folder(&path);
-            } else {
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let stem = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
                 let above = folder.file_name().and_then(|name| name.to_str()).expect("a name");
                 let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

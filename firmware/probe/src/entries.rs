@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use calls::{blending, call, computing, frames, shading, Arguments};
+use calls::{blending, call, computing, frames, shading, Arguments, texts,};
 #[cfg(not(target_os = "none"))]
 use embedded_graphics_core::pixelcolor::Gray2;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, Rgb888};
@@ -53,7 +53,7 @@ impl Memory {
 
 /// All calls of the list, by number, and what frames do besides.
 macro_rules! layouts {
-    ($($layout:ty: $draw:ident $frame:ident;)*) => {$(
+    ($($layout:ty: $draw:ident $frame:ident $text:ident;)*) => {$(
         #[no_mangle]
         pub unsafe extern "C" fn $draw(m: &Memory, a: &mut Arguments<'_, $layout>, number: usize) -> usize {
             let Some(mut frame) = m.frame::<$layout>() else { return 0 };
@@ -64,25 +64,30 @@ macro_rules! layouts {
             let Some(mut band) = m.band::<$layout>() else { return 0 };
             frames::call(&mut band.view(m.area()), a, number)
         }
+        #[no_mangle]
+        pub unsafe extern "C" fn $text(m: &Memory, a: &mut Arguments<'_, $layout>, number: usize) -> usize {
+            let Some(mut frame) = m.frame::<$layout>() else { return 0 };
+            texts::call(&mut frame.clipped(m.area()), a, number)
+        }
     )*};
 }
 
 layouts! {
-    Rows<Index4>: draw4 frame4;
-    Rows<Rgb565>: draw16 frame16;
-    Rows<Be<Rgb888>>: draw24 frame24;
-    Pages<Lsb0<BinaryColor>>: draw_pages frame_pages;
+    Rows<Index4>: draw4 frame4 text4;
+    Rows<Rgb565>: draw16 frame16 text16;
+    Rows<Be<Rgb888>>: draw24 frame24 text24;
+    Pages<Lsb0<BinaryColor>>: draw_pages frame_pages text_pages;
 }
 
 // One of each kind is enough for a chip: the linker has twice as much to do with all of them.
 #[cfg(not(target_os = "none"))]
 layouts! {
-    Rows<Index1>: draw1 frame1;
-    Rows<Lsb0<Gray2>>: draw2 frame2;
-    Rows<Index8>: draw8 frame8;
-    Rows<Xrgb8888>: draw32 frame32;
-    Planes<Gray2>: draw_planes frame_planes;
-    Packed12: draw_packed12 frame_packed12;
+    Rows<Index1>: draw1 frame1 text1;
+    Rows<Lsb0<Gray2>>: draw2 frame2 text2;
+    Rows<Index8>: draw8 frame8 text8;
+    Rows<Xrgb8888>: draw32 frame32 text32;
+    Planes<Gray2>: draw_planes frame_planes text_planes;
+    Packed12: draw_packed12 frame_packed12 text_packed12;
 }
 
 #[no_mangle]
