@@ -2,17 +2,23 @@
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::OriginDimensions, image::GetPixel, Pixel};
 use embedded_raster::{
-    surface::{Pages, Planes},
-    Frame, Index1, Index2, Layout,
+    framebuffer,
+    surface::{Owned, Packed12, Pages, Planes, Turn, Turned},
+    text::{Style, FONT_6X10},
+    Canvas, Frame, Index1, Index2, Layout,
 };
 
 use crate::{answer::sum, calls, Arguments};
+
+/// A screen with memory of its own.
+type Screen = framebuffer!(Index2, 5, 3);
 
 calls! {
     /// Makes the call of a number below that of [`NAMES`] on a frame.
     NAMES, call[L: Layout](on: &mut Frame<&mut [u8], L>, a)
     {
         let (c, [width, height], [first, end]) = (a.colors[0], a.halves(0), a.halves(2));
+        let mut own = Screen::new();
     }
     [Frame]
     new => Frame::<_, L>::new(a.bytes, width, height).map(|frame| a.look_at(frame));
@@ -45,6 +51,27 @@ calls! {
         .map(|frame| frame.page_bytes(first..end).len());
     plane_bytes => Frame::<_, Planes<Index2>>::new(a.bytes, width, height)
         .map(|frame| frame.plane_bytes(a.length(3)).len());
+    [Owned]
+    new => Owned::<Planes<Index2>, 5, 3, 6>::new().frame().get(a.points[0]) == Some(Index2::new(0));
+    frame => {
+        own.frame().draw_line(a.points[0], a.points[1], Index2::new(3));
+        own.bytes().map(usize::from)
+    };
+    as_bitmap => own.as_bitmap().get(a.points[0]) == Some(Index2::new(0));
+    bytes => own.bytes().len();
+    [Packed12]
+    bytes_of => Packed12::bytes_of(width, height);
+    [Turned]
+    new => Turned::new(&mut *on, Turn::Quarter).fill_triangle(a.points, c);
+    of_area => Turned::of_area(&mut *on, Turn::ThreeQuarters, a.areas[0]).draw_ellipse(a.areas[1], c);
+    mirrored => {
+        let mut turned = Turned::of_area(&mut *on, if a.flag { Turn::Half } else { Turn::Quarter }, a.areas[1]).mirrored();
+        turned.draw_line(a.points[0], a.points[1], c);
+        turned.blit_mask(a.points[2], &a.mask, c, None);
+        Style::new(&FONT_6X10, c).draw(&mut turned, a.points[0], "Aj");
+        turned.fill_rectangle(a.areas[0], c);
+    };
+    [Frame]
     // As embedded-graphics has it.
     size => OriginDimensions::size(on);
     pixel => on.pixel(a.points[0]) == Some(c);

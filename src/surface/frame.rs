@@ -77,6 +77,14 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
         Ok(Self { memory, grid, width, height, window, row: 0, column: 0, layout: PhantomData })
     }
 
+    /// A screen without gaps, of memory that is known to be large enough.
+    #[inline]
+    pub(super) fn of_its_size(memory: M, width: u16, height: u16) -> Self {
+        let grid = Grid { stride: L::row_bytes(width), rows: height.into() };
+        let window = Rect::new(0, 0, width.into(), height.into());
+        Self { memory, grid, width, height, window, row: 0, column: 0, layout: PhantomData }
+    }
+
     /// A band: the rows `rows` of a screen of `width` x `height` pixels, drawn in the coordinates of the screen. So a picture can
     /// be larger than the memory: draw the scene once for each band. No pixel differs from drawing it whole.
     /// ```

@@ -2,7 +2,8 @@
 //!
 //! A [`Surface`] is anything that spans can be painted on. Most are a [`Frame`]: memory that the caller owns, seen through a
 //! [`Layout`], which says where a pixel is. [`Framebuffer`] is the short name of the usual one, rows of pixels.
-//! [`Readable`] surfaces can be read as well, which flood fills and scrolling need. A [`Counter`] paints nothing and counts.
+//! [`Readable`] surfaces can be read as well, which flood fills and scrolling need. A [`Counter`] paints nothing and counts. A
+//! [`Turned`] one is another surface, turned by quarters or in a mirror.
 //!
 //! A wrapper around a surface can be a surface too, through which everything goes that is drawn. A [`Recorder`] is one: it tells
 //! where something is drawn, and [`Damage`] keeps that as a short list of rectangles.
@@ -17,6 +18,7 @@ mod draw;
 mod frame;
 mod layout;
 mod levels;
+mod owned;
 mod packed12;
 mod pages;
 mod planes;
@@ -27,6 +29,7 @@ mod stencil;
 mod strip;
 pub mod texture;
 mod traits;
+mod turned;
 
 pub use self::{
     accumulator::{Accumulator, Sum},
@@ -35,6 +38,7 @@ pub use self::{
     depth::{Depth, DepthBuffer},
     frame::Frame,
     layout::{Grid, Layout, Place},
+    owned::Owned,
     packed12::Packed12,
     pages::{paged_bytes, Paged, Pages},
     planes::Planes,
@@ -45,6 +49,7 @@ pub use self::{
     strip::Strip,
     texture::Texture,
     traits::{Readable, Surface},
+    turned::{Turn, Turned},
 };
 pub(crate) use self::{
     levels::{copy_with, CHUNK},

@@ -25,6 +25,15 @@ use crate::{
 #[derive(Copy, Clone, Debug)]
 pub struct Packed12;
 
+impl Packed12 {
+    /// Bytes of a screen without gaps between the rows, to size an array with. Stops at `usize::MAX`.
+    pub const fn bytes_of(width: u16, height: u16) -> usize {
+        // One byte and a half for each pixel. The sum could leave a `usize` of 16 bits: then no memory is large enough.
+        let width = width as usize;
+        width.saturating_add(width.div_ceil(2)).saturating_mul(height as usize)
+    }
+}
+
 /// The three bytes of a pair of pixels of the same colour.
 #[inline(always)]
 fn pair(bits: u32) -> [u8; 3] {
@@ -42,9 +51,7 @@ impl Layout for Packed12 {
 
     #[inline]
     fn row_bytes(width: u16) -> usize {
-        // One byte and a half for each. The sum could leave a `usize` of 16 bits: then no memory is large enough.
-        let width = usize::from(width);
-        width.saturating_add(width.div_ceil(2))
+        Self::bytes_of(width, 1)
     }
 
     #[inline]

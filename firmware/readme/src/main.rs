@@ -1,15 +1,15 @@
-// cargo add cortex-m cortex-m-rt embedded-raster panic-halt -F cortex-m/critical-section-single-core
+// cargo add cortex-m-rt embedded-raster panic-halt
 #![no_std]
 #![no_main]
-use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, FillRule, Framebuffer, Index4, PointFx};
+use embedded_raster::{framebuffer, Canvas, EdgeSlot, FillRule, Index4, PointFx};
 use panic_halt as _;
 
-const BYTES: usize = buffer_bytes::<Index4>(64, 48); // 1,536
+type Screen = framebuffer!(Index4, 64, 48); // 1,536 bytes
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let ram = cortex_m::singleton!(: [u8; BYTES] = [0; BYTES]).unwrap(); // static, lent out once: no heap, no `unsafe`
-    let mut frame = Framebuffer::<Index4>::new(ram, 64, 48).unwrap();
+    static mut SCREEN: Screen = Screen::new(); // `entry` lends it out once, as `&mut`: no heap, no `unsafe`
+    let mut frame = SCREEN.frame();
     let (sea, land, border) = (Index4::new(1), Index4::new(2), Index4::new(15));
     let island = [(8, 30), (20, 9), (37, 16), (56, 12), (49, 40), (24, 44)].map(|(x, y)| PointFx::px(x, y));
     let mut table = [EdgeSlot::EMPTY; 8]; // scratch: at most 8 sides of the outline cross a row

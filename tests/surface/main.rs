@@ -1,0 +1,4 @@
+//! Surfaces around memory and around other surfaces.
+
+mod owned;
+mod turned;
