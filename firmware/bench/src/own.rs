@@ -6,6 +6,7 @@ use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_raster::pixel::{row_bytes, Be};
 use embedded_raster::raster::flood::{Connectivity, FloodSlot};
+use embedded_raster::text::{Style, FONT_6X10};
 use embedded_raster::{
     Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Framebuffer, Index4, Index8, Join, Palette, Path, PathSegment,
     PixelFormat, PointFx, Radii, Stroke, Surface,
@@ -13,7 +14,6 @@ use embedded_raster::{
 
 use fixed::types::I24F8;
 
-use crate::eg;
 use crate::engine::Engine;
 use crate::scene::{
     corner, Blob, Curve, Flooded, Format, Indexed, Ink, Label, Outline, Rect, Segment, Sprite, Track, Triangle, HEIGHT,
@@ -34,7 +34,8 @@ impl<F: PixelFormat> Frame<F> {
         Self { memory: [0; Format::Rgb565.frame_bytes()], table: [EdgeSlot::EMPTY; 256], format: PhantomData }
     }
 
-    fn surface(&mut self) -> Framebuffer<'_, F> {
+    /// The frame, to be drawn on.
+    pub fn surface(&mut self) -> Framebuffer<'_, F> {
         Framebuffer::new(&mut self.memory, WIDTH as u16, HEIGHT as u16).unwrap()
     }
 
@@ -93,7 +94,7 @@ const fn engine<F: PixelFormat>(format: Format) -> Engine<Frame<F>> {
 }
 
 /// The colour whose value is the low bits of an ink.
-fn color<F: PixelFormat>(ink: Ink) -> F::Color {
+pub fn color<F: PixelFormat>(ink: Ink) -> F::Color {
     F::unpack(u32::from(ink.0) & (1 << F::BITS) - 1)
 }
 
@@ -213,7 +214,16 @@ fn bitmap<'a, F: PixelFormat>(sprite: &Sprite<'a>) -> Bitmap<'a, F> {
 }
 
 fn text<F: PixelFormat>(frame: &mut Frame<F>, labels: &[Label<'_>]) {
-    let Ok(()) = eg::text(&mut frame.surface(), labels, color::<F>);
+    let mut surface = frame.surface();
+    for label in labels {
+        style::<F>(label).draw(&mut surface, label.at, label.text);
+    }
+}
+
+/// How a label looks.
+pub fn style<F: PixelFormat>(label: &Label<'_>) -> Style<'static, F::Color> {
+    let style = Style::new(&FONT_6X10, color::<F>(label.ink));
+    label.paper.map_or(style, |paper| style.opaque(color::<F>(paper)))
 }
 
 fn expand(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
