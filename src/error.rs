@@ -6,6 +6,8 @@
 //! crossings of a line with a polygon ([`CrossingListFull`]), a triangle too large to be shaded ([`TriangleTooLarge`]), a picture
 //! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]), bytes that
 //! are no font ([`FontError`]), a map that draws a picture too large ([`MapTooLarge`]).
+//! too large for the pipeline ([`PictureTooLarge`]), SVG path data that makes no sense ([`SvgError`]),
+//! and bytes that are no packed path ([`PackedError`]).
 //! [`Error`] is any of them, for programs that pass all on with `?`.
 //!
 //! Drawing outside the surface is *not* an error: it is clipped. A call that returns an error has drawn nothing.
@@ -187,6 +189,36 @@ pub enum SvgExpected {
     Flag,
 }
 
+/// Bytes that are no packed path: see [`Path::packed`](crate::Path::packed).
+/// ```
+/// use embedded_raster::Path;
+/// let error = Path::packed(&[0, 0x21]).unwrap_err();
+/// assert_eq!(error.to_string(), "byte 1: the numbers of the command are cut off");
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PackedError {
+    /// Bytes before the one that is wrong.
+    pub position: usize,
+    /// What is wrong.
+    pub fault: PackedFault,
+}
+
+/// What is wrong where a [`PackedError`] is.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum PackedFault {
+    /// The first byte is missing, or above 8.
+    Fraction,
+    /// The first command is no move.
+    Move,
+    /// There is no such command.
+    Command,
+    /// The bytes end before the numbers of a command do.
+    Cut,
+}
+
 /// A picture has more columns or rows than a [`Pipeline`](crate::pipeline::Pipeline) draws.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -276,6 +308,8 @@ pub enum Error {
     Triangle(TriangleTooLarge),
     /// SVG path data makes no sense.
     Svg(SvgError),
+    /// Bytes are no packed path.
+    Packed(PackedError),
     /// A picture is too large for the pipeline.
     Picture(PictureTooLarge),
     /// Bytes are not a font.
@@ -372,6 +406,18 @@ impl fmt::Display for SvgError {
     }
 }
 
+impl fmt::Display for PackedError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let fault = match self.fault {
+            PackedFault::Fraction => "the bits of a fraction are expected, from 0 to 8",
+            PackedFault::Move => "a path begins with a move",
+            PackedFault::Command => "there is no such command",
+            PackedFault::Cut => "the numbers of the command are cut off",
+        };
+        write!(f, "byte {}: {fault}", self.position)
+    }
+}
+
 impl fmt::Display for PictureTooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { width, height, most } = *self;
@@ -414,6 +460,7 @@ impl fmt::Display for Error {
             Self::CrossingList(error) => error.fmt(f),
             Self::Triangle(error) => error.fmt(f),
             Self::Svg(error) => error.fmt(f),
+            Self::Packed(error) => error.fmt(f),
             Self::Picture(error) => error.fmt(f),
             Self::Font(error) => error.fmt(f),
             Self::Map(error) => error.fmt(f),
@@ -428,6 +475,7 @@ impl core::error::Error for FlattenError {}
 impl core::error::Error for CrossingListFull {}
 impl core::error::Error for TriangleTooLarge {}
 impl core::error::Error for SvgError {}
+impl core::error::Error for PackedError {}
 impl core::error::Error for PictureTooLarge {}
 impl core::error::Error for FontError {}
 impl core::error::Error for MapTooLarge {}
@@ -472,6 +520,12 @@ impl From<TriangleTooLarge> for Error {
 impl From<SvgError> for Error {
     fn from(error: SvgError) -> Self {
         Self::Svg(error)
+    }
+}
+
+impl From<PackedError> for Error {
+    fn from(error: PackedError) -> Self {
+        Self::Packed(error)
     }
 }
 

@@ -22,14 +22,14 @@ mod tune;
 
 pub use canvas::{Antialias, Canvas, Pictures};
 pub use error::{
-    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, FontError, MapTooLarge, PictureTooLarge,
-    SvgError, SvgExpected, TriangleTooLarge, TriangulateError,
+    BufferError, CrossingListFull, EdgeTableFull, Error, FlattenError, FontError, MapTooLarge, PackedError,
+    PackedFault, PictureTooLarge, SvgError, SvgExpected, TriangleTooLarge, TriangulateError,
 };
 pub use geom::{
     fill_rule::FillRule,
     px,
     space::{Mat4, Patch, Vec3, Vec4},
-    Affine, Angle, Path, PathSegment, PointFx, Svg, Viewport,
+    Affine, Angle, PackedPath, Path, PathSegment, PointFx, Svg, Viewport,
 };
 pub use paint::{Paint, Solid};
 pub use pixel::{buffer_bytes, Index1, Index2, Index4, Index8, Palette, PixelFormat};

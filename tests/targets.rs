@@ -38,3 +38,13 @@ fn text() {
 fn soft_rims() {
     run(4, 60, targets::coverage);
 }
+
+#[test]
+fn texts() {
+    run(4, 12, targets::svg);
+}
+
+#[test]
+fn packed_paths() {
+    run(5, 12, targets::packed);
+}

@@ -7,7 +7,7 @@ use embedded_raster::{
         polygon::{self, drop_out},
         stroke,
     },
-    Affine, ClippedSpan, Layout, Path, PathSegment, PointFx, Svg,
+    Affine, ClippedSpan, Layout, PackedPath, Path, PathSegment, PointFx, Svg,
 };
 use fixed::types::I16F16;
 
@@ -71,6 +71,17 @@ calls! {
     [Path]
     svg => Path::svg(on).map(Svg::len);
     into_iter => digests(Path::new(segments));
+    packed => Path::packed(a.bytes).map(PackedPath::len);
+    [PackedPath]
+    bytes => packed(a.bytes).map(|path| path.bytes().len());
+    iter => packed(a.bytes).map(|path| digests(path.iter()));
+    mapped => packed(a.bytes).map(|path| digests(path.mapped(map)));
+    len => packed(a.bytes).map(PackedPath::len);
+    is_empty => packed(a.bytes).map(PackedPath::is_empty);
+    into_iter => packed(a.bytes).map(digests);
+    [PackedSegments]
+    step => packed(a.bytes).map(|path| path.mapped(map).step().map(digest));
+    next => packed(a.bytes).map(|path| path.mapped(map).next().map(digest));
     [Svg]
     iter => svg(on).map(|path| digests(path.iter()));
     mapped => svg(on).map(|path| digests(path.mapped(map)));
@@ -107,6 +118,12 @@ calls! {
         let slots = stroke::edge_slots(Path::new(segments), &a.stroke.dashed(a.dashes, a.phase), window);
         (slots.whole, slots.least)
     };
+}
+
+/// A path of some bytes, as far as they make sense.
+fn packed(bytes: &[u8]) -> Option<PackedPath<'_>> {
+    let end = Path::packed(bytes).map_or_else(|error| error.position, |_| bytes.len());
+    Path::packed(bytes.get(..end)?).ok()
 }
 
 fn svg(text: &str) -> Option<Svg<'_>> {

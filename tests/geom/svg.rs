@@ -10,81 +10,13 @@ use embedded_raster::{
     PathSegment::{self, Close, CubicTo, LineTo, MoveTo, QuadraticTo},
     PointFx, Svg, SvgError, SvgExpected,
 };
-use svgtypes::{PathParser, PathSegment as Step};
-use twins::rng::{cases, Rng};
+use twins::{
+    rng::{cases, Rng},
+    svgs::{self, check, place, unit},
+};
 
 fn segments(text: &str) -> Vec<PathSegment> {
     Path::svg(text).unwrap_or_else(|error| panic!("{error} in {text}")).iter().collect()
-}
-
-type Fine = [i64; 2];
-
-fn unit(n: f64) -> i64 {
-    ((n * 65_536.0).round() as i64).clamp(-(1 << 39), (1 << 39) - 1)
-}
-
-fn place(at: Fine) -> PointFx {
-    let [x, y] = at.map(|n| i32::try_from(((n + 128) >> 8).clamp(i32::MIN.into(), i32::MAX.into())).unwrap());
-    PointFx::from_bits(x, y)
-}
-
-/// What svgtypes reads, as places: relative ones added up, and control points mirrored. Of arcs there are both ends.
-fn twin(text: &str) -> Result<Vec<Result<PathSegment, [Fine; 2]>>, svgtypes::Error> {
-    let (mut at, mut start, mut control, mut last) = ([0, 0], [0, 0], [0, 0], ' ');
-    let mut all = vec![];
-    for step in PathParser::from(text) {
-        let step = step?;
-        let base = |abs: bool| if abs { [0, 0] } else { at };
-        let end = |n: i64| n.clamp(-(1 << 39), (1 << 39) - 1);
-        let add = |abs: bool, x: f64, y: f64| {
-            let base = base(abs);
-            [end(base[0] + unit(x)), end(base[1] + unit(y))]
-        };
-        let mirrored = |kind| if last == kind { [0, 1].map(|i| end(2 * at[i] - control[i])) } else { at };
-        let (to, segment, kind) = match step {
-            Step::MoveTo { abs, x, y } => {
-                start = add(abs, x, y);
-                (start, Some(MoveTo(place(start))), ' ')
-            }
-            Step::LineTo { abs, x, y } => {
-                let to = add(abs, x, y);
-                (to, Some(LineTo(place(to))), ' ')
-            }
-            Step::HorizontalLineTo { abs, x } => {
-                let to = [add(abs, x, 0.0)[0], at[1]];
-                (to, Some(LineTo(place(to))), ' ')
-            }
-            Step::VerticalLineTo { abs, y } => {
-                let to = [at[0], add(abs, 0.0, y)[1]];
-                (to, Some(LineTo(place(to))), ' ')
-            }
-            Step::CurveTo { abs, x1, y1, x2, y2, x, y } => {
-                let (c, d, to) = (add(abs, x1, y1), add(abs, x2, y2), add(abs, x, y));
-                control = d;
-                (to, Some(CubicTo(place(c), place(d), place(to))), 'C')
-            }
-            Step::SmoothCurveTo { abs, x2, y2, x, y } => {
-                let (c, d, to) = (mirrored('C'), add(abs, x2, y2), add(abs, x, y));
-                control = d;
-                (to, Some(CubicTo(place(c), place(d), place(to))), 'C')
-            }
-            Step::Quadratic { abs, x1, y1, x, y } => {
-                let (c, to) = (add(abs, x1, y1), add(abs, x, y));
-                control = c;
-                (to, Some(QuadraticTo(place(c), place(to))), 'Q')
-            }
-            Step::SmoothQuadratic { abs, x, y } => {
-                let (c, to) = (mirrored('Q'), add(abs, x, y));
-                control = c;
-                (to, Some(QuadraticTo(place(c), place(to))), 'Q')
-            }
-            Step::EllipticalArc { abs, x, y, .. } => (add(abs, x, y), None, ' '),
-            Step::ClosePath { .. } => (start, Some(Close), ' '),
-        };
-        all.push(segment.ok_or([at, to]));
-        (at, last) = (to, kind);
-    }
-    Ok(all)
 }
 
 #[test]
@@ -255,7 +187,7 @@ fn random_paths_are_those_of_another_reader() {
     let (mut arcs, mut read) = (0, 0);
     for round in 0..cases(20_000) {
         let text = random_text(&mut rng, if round % 1_000 == 0 { 7_000 } else { 6 });
-        let wanted = twin(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+        let wanted = svgs::read(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
         let got = segments(&text);
         let mut rest = got.iter().copied();
         for (i, step) in wanted.iter().enumerate() {
@@ -293,7 +225,7 @@ fn broken_paths_are_those_of_another_reader() {
             text[at] = rng.pick(b"MmLzZaA,.-+0199 eExX#\n");
         }
         let text = String::from_utf8(text).unwrap();
-        let (got, wanted) = (Path::svg(&text), twin(&text));
+        let (got, wanted) = (Path::svg(&text), svgs::read(&text));
         if wanted.is_ok() {
             let has_comma = |error: SvgError| text[..error.position].trim_end().ends_with(',');
             assert!(got.is_ok() || got.is_err_and(has_comma), "{got:?}: {text}");
@@ -306,6 +238,74 @@ fn broken_paths_are_those_of_another_reader() {
         }
     }
     assert!(broken > 1_000 && whole > 1_000, "{broken} {whole}");
+}
+
+/// What is found when a program is compiled is found when it runs.
+#[test]
+fn texts_are_the_same_when_a_program_is_compiled() {
+    macro_rules! check {
+        ($($text:literal)*) => {$(
+            const FOUND: Result<usize, (usize, SvgExpected)> = match Path::svg($text) {
+                Ok(path) => Ok(path.len()),
+                Err(SvgError { position, expected }) => Err((position, expected)),
+            };
+            let text = std::hint::black_box(String::from($text));
+            let found = Path::svg(&text).map(Svg::len).map_err(|error| (error.position, error.expected));
+            assert_eq!(FOUND, found, "{text}");
+            if FOUND.is_ok() {
+                // As many segments as it has, made when the program is compiled.
+                const SEGMENTS: [PathSegment; match FOUND { Ok(len) => len, Err(_) => 0 }] = match Path::svg($text) {
+                    Ok(path) => path.to_array().unwrap(),
+                    Err(_) => [PathSegment::Close; match FOUND { Ok(len) => len, Err(_) => 0 }],
+                };
+                assert_eq!(SEGMENTS[..], segments(&text), "{text}");
+            }
+        )*};
+    }
+    {
+        check!("M4 4h16l-8 12z");
+    }
+    {
+        check!("m1.5.5-2e-1,3 7 8zM1 2q3 4 5 6t7 8");
+    }
+    {
+        check!("M0 0a5 3 30 1 1 8 6A5 5 0 0 0 1 1");
+    }
+    {
+        check!("M1 2c1 2 3 4 5 6s7 8 9 10S1 1 2 2v9H3");
+    }
+    {
+        check!("M1e9 -1e9L1e-9 123456789.123456789123");
+    }
+    {
+        check!("M4 4 L20,");
+    }
+    {
+        check!("M4 4 a1 1 0 2 0 5 5");
+    }
+    {
+        check!("é");
+    }
+    {
+        check!("");
+    }
+}
+
+/// Any text, and what of it makes sense.
+#[test]
+fn any_text_is_read_as_another_reader_does() {
+    let mut rng = Rng::new(1_323);
+    let letters = b"MmLlHhVvCcSsQqTtAaZz0123456789.-+eE,, \n";
+    let mut valid = 0;
+    for _ in 0..cases(60_000) {
+        let text: String = (0..rng.below(60)).map(|_| char::from(rng.pick(letters))).collect();
+        let text = format!("{}{text}", rng.pick(&["", "M1 2", "m.5-3c"]));
+        check(&text);
+        let end = Path::svg(&text).map_or_else(|error| error.position, |_| text.len());
+        let front = &text[..text[..end].rfind(|c: char| c.is_ascii_alphabetic() && !"eE".contains(c)).unwrap_or(0)];
+        valid += usize::from(check(front) && front.len() > 10);
+    }
+    assert!(valid > cases(2_000), "{valid}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! What the fuzz targets `shading`, `pipeline`, `texture` and `coverage` check, out of bytes of any kind: `tests/targets.rs` gives them random
+//! What the fuzz targets `shading`, `pipeline`, `texture`, `coverage`, `svg` and `packed` check, out of bytes of any kind:
+//! `tests/targets.rs` gives them random
 //! ones.
 
 use embedded_graphics_core::{
@@ -15,7 +16,7 @@ use embedded_raster::{
         texture::{AddressMode, Clamp, Mirror, Repeat, Texture},
         Accumulator, DepthBuffer, Rows, Sum,
     },
-    Antialias, Bitmap, Canvas, CoverageSlot, FillRule, Frame, Framebuffer, PointFx, Rect, Vec4,
+    Antialias, Bitmap, Canvas, CoverageSlot, EdgeSlot, FillRule, Frame, Framebuffer, Path, PointFx, Rect, Vec4,
 };
 use fixed::types::{I16F16, I24F8};
 
@@ -24,7 +25,7 @@ use super::{
     coverage::{area, Levels, PIXEL},
     hits::Hits,
     input::Input,
-    lines, planes, textures, triangle_has, Units,
+    lines, packed, planes, svgs, textures, triangle_has, Units,
 };
 
 fn places<const N: usize>(units: [Units; N]) -> [PointFx; N] {
@@ -312,4 +313,57 @@ fn sample<U: AddressMode, V: AddressMode>(
     let key = texel(0, 0);
     let nearest = Some(texel(u >> 16, v >> 16)).filter(|&color| color != key);
     assert_eq!(texture.nearest_keyed(fixed.0, fixed.1, key), nearest, "{u}, {v} of {width} x {height}, key {key:?}");
+}
+
+/// Any text as SVG path data, and what of it makes sense, against another reader.
+pub fn svg(data: &[u8]) {
+    /// Letters of path data, so that more of a text makes sense.
+    const LETTERS: &[u8; 64] = b"MmLlHhVvCcSsQqTtAaZz01234567890123456789....----++eE,,      \n\tMZ";
+    let text = String::from_utf8_lossy(data);
+    svgs::check(&text);
+    let text: String = data.iter().map(|&byte| char::from(LETTERS[usize::from(byte & 63)])).collect();
+    for text in [format!("M1 2{text}"), text] {
+        if !svgs::check(&text) {
+            let end = Path::svg(&text).map_or_else(|error| error.position, |_| text.len());
+            let letter = |c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E');
+            svgs::check(&text[..text[..end].rfind(letter).unwrap_or(0)]);
+        }
+    }
+}
+
+/// Any bytes as a packed path, and those that make sense of them, against their table and as they are drawn.
+pub fn packed(data: &[u8]) {
+    packed_path(data);
+    let mut bytes = data.to_vec();
+    if let [fraction, first, ..] = &mut bytes[..] {
+        (*fraction, *first) = (*fraction % 9, 32 | *first & 31);
+    }
+    if let Some(end) = packed_path(&bytes) {
+        bytes.truncate(end);
+        packed_path(&bytes);
+    }
+}
+
+/// Where a packed path makes no sense.
+fn packed_path(bytes: &[u8]) -> Option<usize> {
+    let (got, wanted) = (Path::packed(bytes), packed::read(bytes));
+    let path = match (got, wanted) {
+        (Ok(path), Ok(wanted)) => {
+            assert!(path.iter().eq(wanted.iter().copied()), "{bytes:?}");
+            path
+        }
+        (Err(error), Err(position)) => {
+            assert_eq!(error.position, position, "{bytes:?}");
+            return Some(position);
+        }
+        (got, wanted) => panic!("{got:?} {wanted:?} of {bytes:?}"),
+    };
+    assert!(path.len() < bytes.len().max(1), "a segment takes a byte: {bytes:?}");
+    let (segments, window) = (path.iter().collect::<Vec<_>>(), Rect::new(-9, -7, 40, 33));
+    let (mut hits, mut others) = (Hits::new(window), Hits::new(window));
+    let mut table = vec![EdgeSlot::EMPTY; 40];
+    let filled = hits.fill_path_fx(path, FillRule::EvenOdd, &mut table, BinaryColor::On);
+    let same = others.fill_path_fx(Path::new(&segments), FillRule::EvenOdd, &mut table, BinaryColor::On);
+    assert_eq!((filled, hits.runs()), (same, others.runs()), "{bytes:?}");
+    None
 }
