@@ -34,12 +34,13 @@
 //!
 //! Source: "Instructing TrueType Glyphs", OpenType specification 1.9.1, Microsoft, "Scan converter rules".
 
-use core::{borrow::Borrow, cell::Cell, cmp::Ordering};
+use core::{borrow::Borrow, cmp::Ordering};
 
 use super::{
+    descend,
     edge::{EdgeSlot, END},
     edge_slots_of_sides, in_bands,
-    list::{get, merge, sort},
+    list::get,
     EdgeSlots, Loaded, Loader, Waiting, PLACES,
 };
 use crate::{
@@ -307,32 +308,6 @@ fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, mut emit: impl FnMu
             y = waiting.row;
         }
     }
-}
-
-/// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
-fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
-    let (list, mut overtaken) = (Cell::new(active), END);
-    let (mut end, mut last) = (&list, i32::MIN);
-    while let Some(edge) = get(table, end.get()) {
-        #[cfg(test)]
-        crate::num::tally::add(crate::num::tally::Work::Step);
-        if edge.end() <= y {
-            end.set(edge.link.get());
-            continue;
-        }
-        let x = edge.step();
-        if x < last {
-            overtaken = end.replace(edge.link.replace(overtaken));
-            continue;
-        }
-        last = x;
-        end = &edge.link;
-    }
-    let list = if joining == END { list.get() } else { merge(table, list.get(), joining) };
-    if overtaken == END {
-        return list;
-    }
-    merge(table, list, sort(table, overtaken))
 }
 
 /// What there is on a row with some active edges: those with the same first pixel right of them lie in one gap, in any order.

@@ -54,6 +54,12 @@ impl EdgeSlot {
         bucket: Cell::new(0),
     };
 
+    /// An edge right of all windows, which stands in for one that is not in the table.
+    #[inline(always)]
+    pub(super) fn beyond() -> Self {
+        Self { crossing: Cell::new(Stepper::still(i32::MAX)), ..Self::EMPTY }
+    }
+
     /// Puts the side from a to b into this slot, with its crossing of row y. It crosses the rows `y..end`; `down` if b lies below
     /// a.
     #[inline(always)]

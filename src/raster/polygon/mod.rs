@@ -23,7 +23,11 @@
 //!
 //! Source: W. M. Newman and R. F. Sproull, "Principles of Interactive Computer Graphics", 1979, chapter 16.
 
-use core::{borrow::Borrow, cell::Cell, mem::replace};
+use core::{
+    borrow::Borrow,
+    cell::Cell,
+    mem::{replace, swap},
+};
 
 pub mod drop_out;
 
@@ -336,106 +340,108 @@ impl Waiting {
 
 /// Paints the band whose sides were loaded.
 ///
-/// Each row goes through its edges once: an edge begins a span or ends one, and then steps to the next row. One that is overtaken
-/// there leaves the list, and comes back to where it belongs.
+/// While only two edges are active, a round of the outer loop takes many rows, down to where one of them ends or another joins:
+/// two that enclose a span, or one whose span goes to the side of the window.
 fn scan(table: &[EdgeSlot], loaded: &Loaded, rule: FillRule, window: Rect, sink: &mut impl Sink) {
     let Some(table) = table.get(..loaded.count) else { return };
     let mut waiting = Waiting::new(table, loaded);
-    let (active, mut overtaken, mut y) = (Cell::new(END), END, 0);
+    let beyond = EdgeSlot::beyond();
+    let (mut active, mut y) = (END, waiting.row);
     loop {
-        if active.get() == END {
+        let joining = if waiting.row == y { waiting.take(table) } else { END };
+        active = descend(table, active, joining, y);
+        if active == END {
             if waiting.row == i32::MAX {
                 return;
             }
             y = waiting.row;
+            continue;
         }
-        if waiting.row == y {
-            active.set(merge(table, active.get(), waiting.take(table)));
-        }
-        if overtaken != END {
-            active.set(merge(table, active.get(), sort(table, replace(&mut overtaken, END))));
-        }
-        if SHORT_CUTS {
-            y = scan_two(table, &active, (y, waiting.row), rule, window, sink);
-        }
-        let next = y.wrapping_add(1);
-        let (mut link, mut last) = (&active, i32::MIN);
-        let (mut winding, mut x0) = (0_i32, 0);
-        while let Some(edge) = get(table, link.get()) {
-            #[cfg(test)]
-            crate::num::tally::add(crate::num::tally::Work::Step);
-            let x = edge.x();
-            if winding & rule.mask() == 0 {
-                x0 = x;
+        let end = if SHORT_CUTS { last_of_two(table, active, y, waiting.row, rule) } else { y.wrapping_add(1) };
+        let mut at = usize::from(active);
+        while let Some((mut left, mut right)) = next_pair(table, &beyond, &mut at, rule) {
+            let mut row = y;
+            loop {
+                if let Some(span) = (Span { y: row, x0: left.x(), x1: right.x() }).clip_columns(window) {
+                    sink.span(span);
+                }
+                #[cfg(test)]
+                crate::num::tally::add(crate::num::tally::Work::Step);
+                row = row.wrapping_add(1);
+                if row >= end {
+                    break;
+                }
+                left.step();
+                right.step();
+                if left.x() > right.x() {
+                    // They crossed, and change places.
+                    right.link.set(replace(&mut active, left.link.replace(END)));
+                    swap(&mut left, &mut right);
+                }
             }
-            winding = winding.wrapping_add(edge.winding());
-            if winding & rule.mask() == 0 {
-                tell(Span { y, x0, x1: x }, window, sink);
-            }
-            if edge.end() <= next {
-                link.set(edge.link.get());
-                continue;
-            }
-            let x = edge.step();
-            if x < last {
-                overtaken = link.replace(edge.link.replace(overtaken));
-                continue;
-            }
-            last = x;
-            link = &edge.link;
         }
-        if winding & rule.mask() != 0 {
-            // Its right end is not in the table.
-            tell(Span { y, x0, x1: i32::MAX }, window, sink);
-        }
-        y = next;
+        y = end;
     }
 }
 
-/// As much of a span as the window shows.
-#[cfg_attr(not(embedded_raster_compact), inline(always))]
-#[cfg_attr(embedded_raster_compact, inline(never))]
-fn tell(span: Span, window: Rect, sink: &mut impl Sink) {
-    if let Some(span) = span.clip_columns(window) {
-        sink.span(span);
-    }
-}
-
-/// Paints the rows of two edges that enclose a span and are alone, from row y on to where one of them ends or another joins, but for
-/// the last of these rows, on which it leaves them. Returns that row.
+/// The edges at the ends of the next span of a row, from the edge `at` on; `at` moves behind them. If its right end is not in
+/// the table, that is `beyond`.
 #[inline(always)]
-fn scan_two(
-    table: &[EdgeSlot],
-    active: &Cell<u16>,
-    (mut y, joining): (i32, i32),
+fn next_pair<'a>(
+    table: &'a [EdgeSlot],
+    beyond: &'a EdgeSlot,
+    at: &mut usize,
     rule: FillRule,
-    window: Rect,
-    sink: &mut impl Sink,
-) -> i32 {
-    let Some(left) = get(table, active.get()) else { return y };
-    let Some(right) = get(table, left.link.get()) else { return y };
-    if right.link.get() != END || left.winding().wrapping_add(right.winding()) & rule.mask() != 0 {
-        return y;
+) -> Option<(&'a EdgeSlot, &'a EdgeSlot)> {
+    let left = table.get(*at)?;
+    let mut winding = left.winding();
+    *at = usize::from(left.link.get());
+    while let Some(edge) = table.get(*at) {
+        winding = winding.wrapping_add(edge.winding());
+        *at = usize::from(edge.link.get());
+        if winding & rule.mask() == 0 {
+            return Some((left, edge));
+        }
     }
-    let last = joining.min(left.end()).min(right.end()).wrapping_sub(1);
-    if y >= last {
-        return y;
+    Some((left, beyond))
+}
+
+/// The row after the last one on which the first span of a list is the only one and has the same edges, from row y on.
+#[inline(always)]
+fn last_of_two(table: &[EdgeSlot], list: u16, y: i32, row: i32, rule: FillRule) -> i32 {
+    let Some(left) = get(table, list) else { return y };
+    match get(table, left.link.get()) {
+        None => row.min(left.end()),
+        Some(right) if right.link.get() == END && left.winding().wrapping_add(right.winding()) & rule.mask() == 0 => {
+            row.min(left.end()).min(right.end())
+        }
+        Some(_) => y.wrapping_add(1),
     }
-    let (mut p, mut q) = (left.crossing.get(), right.crossing.get());
-    while y < last {
+}
+
+/// Moves the active edges to row `y`: drops those that ended, lets the joining ones in, and restores the order.
+#[inline(always)]
+fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
+    let (list, mut overtaken) = (Cell::new(active), END);
+    let (mut end, mut last) = (&list, i32::MIN);
+    while let Some(edge) = get(table, end.get()) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Step);
-        let (x0, x1) = (p.value.min(q.value), p.value.max(q.value));
-        tell(Span { y, x0, x1 }, window, sink);
-        p.step();
-        q.step();
-        y = y.wrapping_add(1);
+        if edge.end() <= y {
+            end.set(edge.link.get());
+            continue;
+        }
+        let x = edge.step();
+        if x < last {
+            overtaken = end.replace(edge.link.replace(overtaken));
+            continue;
+        }
+        last = x;
+        end = &edge.link;
     }
-    left.crossing.set(p);
-    right.crossing.set(q);
-    if p.value > q.value {
-        // They crossed, and change places.
-        right.link.set(active.replace(left.link.replace(END)));
+    let list = if joining == END { list.get() } else { merge(table, list.get(), joining) };
+    if overtaken == END {
+        return list;
     }
-    y
+    merge(table, list, sort(table, overtaken))
 }

@@ -31,6 +31,7 @@ impl Cut for () {
     const IS_SOLID: bool = true;
 
     #[inline]
+    #[expect(clippy::while_let_on_iterator, reason = "a `for` loop moves each outline, which may have many words")]
     fn border<O: Whole, const CURVED: bool>(
         self,
         mut contours: impl Iterator<Item = O>,
@@ -38,7 +39,6 @@ impl Cut for () {
         each: &mut dyn FnMut(PointFx, PointFx),
     ) {
         let mut border = Border::<CURVED>::new(pen, each);
-        // By reference: an outline may have many words.
         while let Some(ref mut outline) = contours.next() {
             follow(outline, &pen.sight, pen.width <= THIN, &mut border);
         }

@@ -86,6 +86,7 @@ impl Stroke {
 }
 
 impl Cut for Dash<'_> {
+    #[expect(clippy::while_let_on_iterator, reason = "a `for` loop moves each outline, which may have many words")]
     fn border<O: Whole, const CURVED: bool>(
         self,
         mut contours: impl Iterator<Item = O>,
