@@ -179,9 +179,9 @@ calls! {
     [pattern]
     shade => pattern::shade(n.unsigned_abs()).map(i32::from)[7];
     [RasterOp]
-    and => operated(a, |color| RasterOp::and(color), |color| RasterOp::and(color));
-    or => operated(a, |color| RasterOp::or(color), |color| RasterOp::or(color));
-    xor => operated(a, |color| RasterOp::xor(color), |color| RasterOp::xor(color));
+    and => operated(a, RasterOp::and, RasterOp::and);
+    or => operated(a, RasterOp::or, RasterOp::or);
+    xor => operated(a, RasterOp::xor, RasterOp::xor);
     invert => operated(a, |_| RasterOp::invert(), |_| RasterOp::invert());
     of => RasterOp::xor(Index4::new(a.byte(0))).of(Index4::new(a.byte(1))).index();
     [triangle]

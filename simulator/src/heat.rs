@@ -46,7 +46,9 @@ impl<S: Surface> Surface for Heat<'_, S> {
         let row = place(span.y()) * self.width;
         let columns = place(span.x0()).min(self.width)..place(span.x1()).min(self.width);
         let counts = self.drawn.get_mut(row + columns.start..row + columns.end).unwrap_or_default();
-        counts.iter_mut().for_each(|count| *count = count.saturating_add(1));
+        for count in counts {
+            *count = count.saturating_add(1);
+        }
         self.surface.fill_span(span, color);
     }
 }

@@ -249,7 +249,7 @@ impl Numbers<'_> {
             i = i.wrapping_add(1);
         }
         // The first of its bits becomes the highest one.
-        let bits = word.wrapping_shl(24_u32.wrapping_add((start & 7) as u32));
+        let bits = word << (24_usize.wrapping_add(start & 7) & 63);
         (bits.cast_signed() >> 64_usize.wrapping_sub(self.width)) << self.unit
     }
 }

@@ -97,7 +97,9 @@ impl<R, S: Small<R>, const N: usize> Small<[R; N]> for [S; N] {
 
     #[inline(always)]
     fn skip(&mut self, rows: u32) {
-        self.iter_mut().for_each(|small| small.skip(rows));
+        for small in self {
+            small.skip(rows);
+        }
     }
 
     #[inline(always)]

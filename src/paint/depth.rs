@@ -284,12 +284,11 @@ fn hidden_rows<M: AsMut<[u8]>, Z: Depth>(
 #[inline(never)]
 fn seen_rows<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
-    rest: Rest<<Z::Number as Varying>::Small>,
+    Rest { mut rows, mut depths, x }: Rest<<Z::Number as Varying>::Small>,
     mut values: V::Small,
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
     color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) {
-    let Rest { mut rows, mut depths, x } = rest;
     rows.each_row(|span| {
         if let Some(span) = span.known_inside() {
             if let Some(cells) = depth.cells(span) {

@@ -1,4 +1,9 @@
 //! Pictures under maps: each pixel and each texel, against exact ratios; and what that means for neighbours.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "numbers of small pictures, and random ones"
+)]
 
 use embedded_graphics_core::geometry::Size;
 use embedded_raster::{

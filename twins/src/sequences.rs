@@ -11,11 +11,16 @@ use embedded_graphics_core::{
     geometry::Point,
     pixelcolor::{BinaryColor, Gray2, Rgb565, Rgb888},
 };
+#[cfg(feature = "all-layouts")]
 use embedded_raster::{
-    pixel::{Be, Lsb0, Rgb444, Xrgb8888},
+    pixel::{Be, Xrgb8888},
+    Index2, Index8,
+};
+use embedded_raster::{
+    pixel::{Lsb0, Rgb444},
     raster::line,
     surface::{Packed12, Pages, Planes, Rows},
-    ClippedSpan, Frame, Index1, Index2, Index4, Index8, Layout, PixelFormat, Readable, Rect, Span, Surface,
+    ClippedSpan, Frame, Index1, Index4, Layout, PixelFormat, Readable, Rect, Span, Surface,
 };
 
 use super::{

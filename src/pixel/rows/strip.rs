@@ -48,7 +48,7 @@ pub(crate) fn draw<F: PixelFormat>(
     match F::BITS {
         8 => expand((memory, stride), width, rows, [low_u8(on)], off.map(|off| [low_u8(off)])),
         16 => {
-            expand((memory, stride), width, rows, low_u16(on).to_le_bytes(), off.map(|off| low_u16(off).to_le_bytes()))
+            expand((memory, stride), width, rows, low_u16(on).to_le_bytes(), off.map(|off| low_u16(off).to_le_bytes()));
         }
         24 => expand((memory, stride), width, rows, word::three(on), off.map(word::three)),
         _ => expand((memory, stride), width, rows, on.to_le_bytes(), off.map(u32::to_le_bytes)),

@@ -33,7 +33,7 @@ const CHUNK: usize = 32;
 #[inline(never)]
 pub(super) fn rows(sides: [&CoverageSlot; 2], (mut y, end): (i32, i32), window: Rect, sink: &mut impl Sink) -> i32 {
     let mut states = sides.map(CoverageSlot::state);
-    let mut row = Levels { sink, levels: [0; CHUNK], y, x0: window.x0, width: window.width() };
+    let mut row = Levels { sink, chunk: [0; CHUNK], y, x0: window.x0, width: window.width() };
     while y < end {
         let [(a, a_next), (b, b_next)] = states.each_ref().map(|(x, crossing)| (*x, crossing.value));
         let a = (a.min(a_next), a.max(a_next));
@@ -143,7 +143,7 @@ impl Rise {
 /// The pixels of a row, told to a sink.
 struct Levels<'s, S> {
     sink: &'s mut S,
-    levels: [u8; CHUNK],
+    chunk: [u8; CHUNK],
     y: i32,
     /// The left column of the window, and how many it has.
     x0: i32,
@@ -232,7 +232,7 @@ impl<S: Sink> Levels<'_, S> {
             }
             side.step();
         }
-        while let Some(&u8::MAX) = self.levels.get(..len).and_then(<[u8]>::last) {
+        while let Some(&u8::MAX) = self.chunk.get(..len).and_then(<[u8]>::last) {
             (len, end) = (len.wrapping_sub(1), end.wrapping_sub(1));
         }
         self.tell(end, len);
@@ -282,7 +282,7 @@ impl<S: Sink> Levels<'_, S> {
             self.tell(column, len);
             len = 0;
         }
-        match self.levels.get_mut(len) {
+        match self.chunk.get_mut(len) {
             Some(place) if level != 0 => {
                 *place = level;
                 len.wrapping_add(1)
@@ -294,7 +294,7 @@ impl<S: Sink> Levels<'_, S> {
     /// Tells the levels that wait, of the pixels before a column.
     #[inline(always)]
     fn tell(&mut self, end: u32, len: usize) {
-        let Some(levels) = self.levels.get(..len).filter(|levels| !levels.is_empty()) else { return };
+        let Some(levels) = self.chunk.get(..len).filter(|levels| !levels.is_empty()) else { return };
         let x1 = self.x(end);
         let x0 = x1.wrapping_sub_unsigned(low_u32(len as u64));
         self.sink.coverage(ClippedSpan::inside(self.y, x0, x1), levels);

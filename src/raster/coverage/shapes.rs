@@ -58,6 +58,7 @@ pub fn path_true(
 }
 
 #[inline(always)]
+#[expect(clippy::needless_pass_by_value, reason = "each band takes a copy")]
 fn any_path<const TRUE: bool>(
     segments: impl Segments,
     rule: FillRule,
@@ -103,6 +104,7 @@ pub fn stroke_true<D: Dashing>(
 }
 
 #[inline(always)]
+#[expect(clippy::needless_pass_by_value, reason = "each band takes a copy")]
 fn any_stroke<D: Dashing, const TRUE: bool>(
     segments: impl Segments,
     stroke: &Stroke<D>,
