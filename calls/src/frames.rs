@@ -3,7 +3,7 @@
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::OriginDimensions, image::GetPixel, Pixel};
 use embedded_raster::{
     framebuffer,
-    surface::{Owned, Packed12, Pages, Planes, Turn, Turned},
+    surface::{Packed12, Pages, Planes, Turn, Turned},
     text::{Style, FONT_6X10},
     Canvas, Frame, Index1, Index2, Layout,
 };
@@ -52,7 +52,6 @@ calls! {
     plane_bytes => Frame::<_, Planes<Index2>>::new(a.bytes, width, height)
         .map(|frame| frame.plane_bytes(a.length(3)).len());
     [Owned]
-    new => Owned::<Planes<Index2>, 5, 3, 6>::new().frame().get(a.points[0]) == Some(Index2::new(0));
     frame => {
         own.frame().draw_line(a.points[0], a.points[1], Index2::new(3));
         own.bytes().map(usize::from)
