@@ -3,6 +3,13 @@
 //! `cargo run --release --example dither` writes `dither.png`, six panels in the 16 colours of EGA, of a picture that it makes;
 //! `-- --input FILE.png` takes another one, `--colors 2` black and white, `--out FILE.png` names the file.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "a picture that is made of light and shade, in floats"
+)]
+
 use std::{error::Error, process::ExitCode};
 
 use embedded_graphics_core::{
@@ -69,7 +76,7 @@ fn ball() -> Picture {
         let square = (x * x + y * y) / 0.7;
         let level = |n: f32| (n * 255.0).clamp(0.0, 255.0) as u8;
         if square > 1.0 {
-            let height = (y + 1.0) / 2.0;
+            let height = 0.5 + y / 2.0;
             return Rgb888::new(level(0.2 + 0.7 * height), level(0.4 + 0.5 * height), level(0.8 + 0.2 * height));
         }
         let z = (1.0 - square).sqrt();

@@ -103,9 +103,8 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let next = |time| draw(time).map_err(|error| std::io::Error::other(error.to_string()));
     match out.rsplit('.').next() {
         Some("gif") => fs::write(&out, film::gif(frames, next)?)?,
-        Some("apng") => fs::write(&out, film::apng(frames, next)?)?,
         Some("png") if frames == 1 => draw(0)?.write_png(&out)?,
-        Some("png") => fs::write(&out, film::apng(frames, next)?)?,
+        Some("png" | "apng") => fs::write(&out, film::apng(frames, next)?)?,
         _ => return Err(format!("{out}: a name that ends with .png, .apng or .gif is wanted").into()),
     }
     draw(0)?.show(100);
@@ -146,7 +145,7 @@ fn draw(time: u16) -> Result<Picture, embedded_raster::Error> {
             // Stars turn around their middle, and grow.
             0 => {
                 let middle = I16F16::from_num(4);
-                let size = I16F16::from_num(1) + I16F16::from_bits((time + number * 9) % 64 << 10);
+                let size = I16F16::from_num(1) + I16F16::from_bits(((time + number * 9) % 64) << 10);
                 let map = Affine::translate(-middle, -middle)
                     .then(Affine::scale(size, size))
                     .then(Affine::rotate(Angle::degrees(time * 5 + number * 30)))

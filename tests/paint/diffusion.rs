@@ -1,5 +1,12 @@
 //! Error diffusion against a plain model with all errors in one large table, and look-up cubes against searches.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "numbers of small pictures"
+)]
+
 use embedded_graphics_core::{
     geometry::{Point, Size},
     pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb888, RgbColor},
