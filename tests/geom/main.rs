@@ -4,6 +4,7 @@ mod affine;
 mod arc;
 mod light;
 mod matrix;
+mod packed;
 mod patch;
 mod perspective;
 mod space;

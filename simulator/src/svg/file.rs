@@ -113,6 +113,11 @@ impl File {
         (width, height)
     }
 
+    /// The path data of its shapes, as SVG has it: that of basic shapes is made here.
+    pub fn data(&self) -> impl Iterator<Item = &str> {
+        self.marks.iter().map(|mark| mark.data.as_str())
+    }
+
     /// Its shapes on a screen of this size, in the middle and as large as they fit, and then mapped by the six numbers that SVG
     /// calls `matrix`. What turns out to be unknown is added to the rest of it.
     pub fn shapes(&mut self, (width, height): (u16, u16), then: [f64; 6], min_width: I24F8) -> Vec<Shape> {
