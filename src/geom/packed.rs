@@ -24,7 +24,8 @@
 //! were turned into cubic curves before.
 //!
 //! Such bytes are written on a computer, from SVG files: `cargo run -p embedded-raster-simulator --bin pathbake -- --help` in the
-//! repository of this crate. A typical icon of 24 pixels takes a third of its SVG path data.
+//! repository of this crate. 41 icons of 24 pixels take 2,424 bytes within 1/51 pixel, and 4,456 as
+//! SVG path data.
 //!
 //! **Work**: each byte is read once to check it; then twice for each time that somebody goes over the path, as a contour is searched for
 //! its end before it is drawn.
