@@ -535,7 +535,8 @@ pub trait Canvas: Surface {
         in_color(self, color, |window, brush| rounded::outline(area, radii, window, brush));
     }
 
-    /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels.
+    /// Fills a rectangle with rounded corners: see [`rounded`](crate::raster::rounded) for which pixels. Under an outline that is drawn by
+    /// [`draw_rounded`](Self::draw_rounded), [`fill_outlined_rounded`](Self::fill_outlined_rounded) fills what that encloses.
     /// ```
     /// use embedded_graphics_core::pixelcolor::Gray8;
     /// use embedded_raster::{Canvas, Framebuffer, Radii, Rect};
