@@ -1,4 +1,11 @@
 //! Frames on their way to a display. What can happen to buffers is explored beside them, in `src/present`.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::missing_assert_message,
+    reason = "small numbers, and random ones"
+)]
 
 mod bands;
 mod cores;

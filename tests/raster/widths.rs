@@ -101,7 +101,7 @@ fn gauge_has(outer: Place, inner: Place, ends: [Angle; 2], p: Place) -> bool {
     in_ring && in_sector
         || ends.into_iter().map(turns).any(|angle| {
             let (far, near) = (reach(outer, angle), reach(inner, angle));
-            let middle = (far + near) / 2.0;
+            let middle = far.midpoint(near);
             distance(p, (middle * angle.cos(), middle * angle.sin())) <= (far - near) / 2.0
         })
 }
@@ -534,9 +534,9 @@ fn polygons_have_round_corners() {
 /// A round rectangle by its corners is the rounded rectangle by its radii, where the arithmetic of both is exact: not at a tie.
 #[test]
 fn sharp_corners_stay_sharp() {
+    use PathSegment::{Close, LineTo, MoveTo};
     let square = [(4, 4), (20, 4), (20, 20), (4, 20)].map(|(x, y)| PointFx::px(x, y));
     let segments: Vec<PathSegment> = RoundCorners::new(&square, true, px(0)).collect();
-    use PathSegment::{Close, LineTo, MoveTo};
     assert_eq!(segments, [MoveTo(square[0]), LineTo(square[1]), LineTo(square[2]), LineTo(square[3]), Close]);
     assert_eq!(RoundCorners::new(&square[..0], true, px(3)).count(), 0);
     assert_eq!(RoundCorners::new(&square[..1], true, px(3)).collect::<Vec<_>>(), [MoveTo(square[0]), Close]);
