@@ -31,10 +31,10 @@ const HATCHINGS: [[u8; 8]; 9] = [
 ];
 
 fn main() -> ExitCode {
-    finish("patterns", run(env::args().skip(1).collect()))
+    finish("patterns", run(&env::args().skip(1).collect::<Vec<_>>()))
 }
 
-fn run(arguments: Vec<String>) -> Result<String, Box<dyn Error>> {
+fn run(arguments: &[String]) -> Result<String, Box<dyn Error>> {
     let out = match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => "patterns.png",
         ["--out", out] => out,

@@ -3,6 +3,7 @@
 //! `cargo run --release --example tearing -- --frames 60 --out tearing.gif` shows four screens side by side, refresh by refresh. The bars
 //! move to the right, and are upright; where one is broken, the picture tears.
 
+#[expect(clippy::cast_possible_truncation, reason = "bytes of a table")]
 #[expect(unreachable_pub, reason = "it is public in its own crate")]
 #[path = "../firmware/board/src/crc.rs"]
 mod crc;
@@ -81,7 +82,7 @@ fn seen<const N: usize>([width, height]: [u16; 2], flips: Flips) -> Vec<Picture>
         }
         let (y0, y1) = (high - high * part / (PARTS - 1), high - high * (part - 1) / (PARTS - 1));
         let first = i32::try_from(frame).ok()? * 5 % (wide / 3).max(1);
-        for x in (first..wide).step_by((wide / 3).max(1) as usize) {
+        for x in (first..wide).step_by((wide / 3).max(1).unsigned_abs() as usize) {
             on.fill_rectangle(Rect::new(x, y0, x + wide / 12 + 1, y1.min(high)), Index4::new(14));
         }
         Some(TIME)

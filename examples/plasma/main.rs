@@ -3,6 +3,7 @@
 //! `cargo run --release --example plasma` writes `plasma.png`; `-- --help` tells the rest. What is drawn stands in `scene.rs`, which
 //! chips draw too, to the same bytes.
 
+#[expect(clippy::cast_possible_truncation, reason = "bytes of a table")]
 #[expect(unreachable_pub, reason = "it is public in its own crate")]
 #[path = "../../firmware/board/src/crc.rs"]
 mod crc;
@@ -95,7 +96,7 @@ mod tests {
         assert_eq!(moments.iter().filter(|moment| moment.crc32 == moments[0].crc32).count(), 1);
         for (frame, moment) in (0..).zip(&moments) {
             for at in [(0, 0), (63, 47), (20, 31)] {
-                let shown = moment.picture.color(at.0 as usize, at.1 as usize);
+                let shown = moment.picture.color(at.0.unsigned_abs() as usize, at.1.unsigned_abs() as usize);
                 assert_eq!(shown, color(&plasma, frame, at.0, at.1).map(Into::into), "{at:?} in frame {frame}");
             }
         }

@@ -3,6 +3,7 @@
 #![allow(unreachable_pub, reason = "firmwares have this scene as a module of a library")]
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_sign_loss,
     clippy::integer_division,
     reason = "levels of 8 bits, out of sums of a few of them"

@@ -3,6 +3,7 @@
 //! `cargo run --release --example scope` writes `scope.png`; `-- --help` tells the rest. What is drawn stands in `scene.rs`, which chips draw
 //! too, to the same bytes.
 
+#[expect(clippy::cast_possible_truncation, reason = "bytes of a table")]
 #[expect(unreachable_pub, reason = "it is public in its own crate")]
 #[path = "../../firmware/board/src/crc.rs"]
 mod crc;
@@ -33,6 +34,7 @@ fn go() -> Result<String, Box<dyn Error>> {
 }
 
 /// An oscilloscope and its display.
+#[expect(clippy::struct_field_names, reason = "the scene has the name of the program")]
 struct Scope {
     size: [u16; 2],
     scope: scene::Scope<Vec<u8>>,

@@ -6,7 +6,7 @@
 //! ```
 //! Integers only and no heap: a chip draws it with this same code.
 #![allow(unreachable_pub, reason = "firmwares have this scene as a module of a library")]
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "samples of 16 bits")]
+#![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss, reason = "samples of 16 bits")]
 
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
@@ -72,7 +72,7 @@ impl Signals {
         if channel == 0 {
             // The carrier stands, its envelope wanders.
             let envelope = self.sine(sample * 2 + time * 24).max(0);
-            (self.sine(sample * 9) * (envelope >> 4) >> 10) + noise
+            ((self.sine(sample * 9) * (envelope >> 4)) >> 10) + noise
         } else {
             let place = sample & 511;
             let level: i32 = if place < 256 { 9_000 } else { -9_000 };
@@ -166,7 +166,7 @@ pub fn trace<S: Surface<Color = Index4>>(on: &mut S, [width, height]: [u16; 2], 
         let (middle, high) = (i32::from(height) * if channel == 0 { 64 } else { 192 }, i32::from(height) * 58);
         let place = |sample: i32| {
             let level = signals.sample(channel, sample, frame);
-            PointFx::from_bits(sample * (256 / i32::from(SAMPLES)) + 128, middle - (high * (level >> 4) >> 10))
+            PointFx::from_bits(sample * (256 / i32::from(SAMPLES)) + 128, middle - ((high * (level >> 4)) >> 10))
         };
         let mut last = place(0);
         for sample in 1..samples {

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     num::cast::{low_u16, low_u32, low_u8},
-    tune::{keep_order, COMPACT},
+    tune::{keep_order, COMPACT, UNALIGNED},
 };
 
 /// A table of `N` colours that indices are shown through.
@@ -101,6 +101,15 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
         let color = |index: u8| self.colors.get(usize::from(index)).copied().or(first).map_or(0, O::pack);
         match O::BITS {
             8 => expand::<I, 1>(indices, out, |index| [low_u8(color(index))]),
+            16 if I::BITS == 4 && BY_WORDS => {
+                let mut index = 0;
+                let table = [(); 16].map(|()| {
+                    let bits = low_u16(color(index));
+                    index = index.wrapping_add(1);
+                    bits
+                });
+                expand_words::<I>(indices, out, &table);
+            }
             16 => expand::<I, 2>(indices, out, |index| low_u16(color(index)).to_le_bytes()),
             24 => expand::<I, 3>(indices, out, |index| {
                 let [a, b, c, _] = color(index).to_le_bytes();
@@ -180,6 +189,35 @@ impl<C: Channels, const N: usize> Palette<C, N> {
         }
         Self { colors }
     }
+}
+
+/// Whether indices of 4 bits are taken out of words, and colours stored two at a time: where words lie at any address.
+const BY_WORDS: bool = UNALIGNED && !COMPACT;
+
+/// Pixels of 16 bits out of 4-bit indices, sixteen to a round. The table has them as they are stored, so that nothing is converted at a
+/// pixel. It takes 16 conversions, which a row of a screen has back many times.
+fn expand_words<I: PixelFormat>(indices: &[u8], out: &mut [u8], table: &[u16; 16]) {
+    let color = |index: u8| table.get(usize::from(index & 15)).copied().unwrap_or_default();
+    let nth = |byte: u8, i: usize| u32::from(color(low_u8(rows::packed::nth::<I>(byte, i))));
+    let rounds = (indices.len() / 8).min(out.len() / 32);
+    let indices = indices.split_at_checked(rounds.wrapping_mul(8));
+    let out = out.split_at_mut_checked(rounds.wrapping_mul(32));
+    let (Some((all_bytes, indices)), Some((all_places, out))) = (indices, out) else { return };
+    for (bytes, round) in all_bytes.chunks_exact(8).zip(all_places.chunks_exact_mut(32)) {
+        let (Some(first), Some(second)) = (bytes.first_chunk(), bytes.last_chunk()) else { continue };
+        for (word, half) in [first, second].into_iter().zip(round.chunks_exact_mut(16)) {
+            let word = u32::from_le_bytes(*word);
+            for i in 0..4_u8 {
+                let (byte, at) = (low_u8(word >> (8 * i)), 4 * usize::from(i));
+                let pair = nth(byte, 0) | nth(byte, 1) << 16;
+                if let Some(place) = half.get_mut(at..at.wrapping_add(4)).and_then(<[u8]>::first_chunk_mut) {
+                    *place = pair.to_le_bytes();
+                }
+                keep_order();
+            }
+        }
+    }
+    expand::<I, 2>(indices, out, |index| color(index).to_le_bytes());
 }
 
 impl<C: RgbColor, const N: usize> Palette<C, N> {

@@ -1,4 +1,11 @@
 //! Packed paths: what the packer of the simulator writes is read again, and draws the same; and any bytes, by the table of commands.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "small numbers, and random ones"
+)]
 
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use embedded_raster::{

@@ -1,4 +1,11 @@
 //! Pictures on surfaces of other colours: each pixel takes the texel that the rule names, on every layout.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "small numbers, and random ones"
+)]
 
 use embedded_graphics_core::{
     geometry::Point,
@@ -120,7 +127,7 @@ fn every_picture<L: Layout<Color: core::fmt::Debug>>(seed: u64, make: impl Fn(u8
         let (tile_width, tile_height) = (rng.int(1, 5), rng.int(1, 4));
         let sheet = Sheet::new(&picture, tile_width as u16, tile_height as u16);
         let (columns, rows) = (width / tile_width, height / tile_height);
-        assert_eq!(sheet.len() as i32, columns * rows);
+        assert_eq!(sheet.len() as i32, columns * rows, "tiles of {size:?}");
         let tile_at = |column: i32, row: i32| {
             let number = (column * 5 + row * 3).rem_euclid(columns * rows + 1);
             (number < 30).then_some(number as usize)

@@ -1,4 +1,11 @@
 //! Small triangles, which have sums of their own: every pixel is the nearest value, up to the bounds of the proofs.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "small numbers, and random ones"
+)]
 
 use embedded_graphics_core::{
     geometry::Point,

@@ -1,7 +1,12 @@
 //! Round things with a width: gauges, segments, arcs with caps and dashes, lines with round corners. Against their equations in
 //! floats: a centre that is not as they say lies within 0.14 pixel of one that is; for what needs no curves, within 1/128 pixel.
 
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "tests mix widths on purpose")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "tests mix widths on purpose"
+)]
 
 use std::{
     collections::BTreeSet,

@@ -32,6 +32,7 @@ pub struct Letter {
 
 /// Letters with places, and which characters have which.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_field_names, reason = "letters are letters")]
 pub struct Letters {
     rows: u8,
     baseline: u8,
@@ -65,7 +66,7 @@ impl Letters {
         let rows = input.within(1, 20) as u8;
         let (is_fixed, overhangs) = (input.one_in(2), input.one_in(3));
         let mut letter = || {
-            let advance = input.within(if overhangs { 0 } else { 1 }, 19) as u8;
+            let advance = input.within(i32::from(!overhangs), 19) as u8;
             let is_cell = input.one_in(3);
             let (mut left, mut width) = (0, i32::from(advance));
             let (mut top, mut height) = (0, i32::from(rows));

@@ -37,10 +37,10 @@ pub(crate) type Ways = Vec<Entry<Soft, Levels>>;
 
 /// All ways: this crate's, and those of the peers that were compiled.
 fn entries() -> Ways {
-    let mut entries = engine::entries();
     #[cfg(feature = "peers-aa")]
-    entries.extend(peers::entries());
-    entries
+    return engine::entries().into_iter().chain(peers::entries()).collect();
+    #[cfg(not(feature = "peers-aa"))]
+    engine::entries()
 }
 
 /// Fills, and lines one pixel wide.

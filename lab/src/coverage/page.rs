@@ -92,7 +92,7 @@ impl Page {
             table("Lines", &["least", "most", "mean", "apart"], &bright),
         );
         for (heading, table) in &self.chips {
-            text.push_str(&format!("## {heading}\n\nModelled cycles; `cargo xtask rims`:\n\n{table}\n"));
+            let _ = write!(text, "## {heading}\n\nModelled cycles; `cargo xtask rims`:\n\n{table}\n");
         }
         text.push_str(NOTES);
         text

@@ -11,12 +11,13 @@ pub(crate) struct Areas {
     pub(crate) x0: i32,
     pub(crate) y0: i32,
     pub(crate) width: i32,
-    pub(crate) areas: Vec<f64>,
+    pub(crate) shares: Vec<f64>,
 }
 
 type Place = (f64, f64);
 
 /// The box of some places on the screen: its first column and row, and how many it has.
+#[expect(clippy::needless_pass_by_value, reason = "an iterator is copied for each axis")]
 fn bounds(places: impl Iterator<Item = Place> + Clone) -> [i32; 4] {
     let ends = |of: fn(Place) -> f64, most: i32| {
         let low = places.clone().map(of).fold(f64::MAX, f64::min).floor().clamp(0.0, most.into()) as i32;
@@ -134,7 +135,7 @@ fn side(sums: &mut [f64], row: usize, a: Place, b: Place) {
             let part = if x1 - x0 > 0.0 { height * (next - x) / (x1 - x0) } else { height };
             let (left, right) = (x.clamp(0.0, most), next.clamp(0.0, most));
             let column = left.floor().min(most);
-            let mean = (left + right) / 2.0 - column;
+            let mean = left.midpoint(right) - column;
             cells[column as usize] += part * (1.0 - mean);
             cells[column as usize + 1] += part * mean;
             if next >= x1 {
