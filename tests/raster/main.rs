@@ -6,6 +6,7 @@ mod drop_out;
 mod ellipse;
 mod exactly_once;
 mod flood;
+mod icons;
 mod line;
 mod line_fx;
 mod mapped;
