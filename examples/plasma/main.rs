@@ -95,7 +95,7 @@ mod tests {
         assert!(moments[0].drawn.iter().all(|&n| n == 1) && moments[1].drawn.is_empty());
         assert_eq!(moments.iter().filter(|moment| moment.crc32 == moments[0].crc32).count(), 1);
         for (frame, moment) in (0..).zip(&moments) {
-            for at in [(0, 0), (63, 47), (20, 31)] {
+            for at in [(0_i32, 0_i32), (63, 47), (20, 31)] {
                 let shown = moment.picture.color(at.0.unsigned_abs() as usize, at.1.unsigned_abs() as usize);
                 assert_eq!(shown, color(&plasma, frame, at.0, at.1).map(Into::into), "{at:?} in frame {frame}");
             }

@@ -74,7 +74,8 @@ pub fn palette(sines: &Sines) -> Palette<Rgb565, 256> {
         let at = i32::from(i);
         // Dark where red and blue are low at once; green is a thin line of light.
         let green = level(at * 2 + 150);
-        let color = Rgb888::new(level(at), (u16::from(green) * u16::from(level(at + 30)) >> 8) as u8, level(at + 100));
+        let color =
+            Rgb888::new(level(at), ((u16::from(green) * u16::from(level(at + 30))) >> 8) as u8, level(at + 100));
         palette.set(i, Rgb565::from(color));
     }
     palette

@@ -6,7 +6,12 @@
 //! ```
 //! Integers only and no heap: a chip draws it with this same code.
 #![allow(unreachable_pub, reason = "firmwares have this scene as a module of a library")]
-#![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss, reason = "samples of 16 bits")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "samples of 16 bits"
+)]
 
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{

@@ -27,6 +27,9 @@ use twins::{
     tiles, Run, TILE_SIZES,
 };
 
+/// What draws its pixels to a function.
+type Shape<'a> = dyn Fn(&mut dyn FnMut(ClippedSpan)) + 'a;
+
 fn check(area: Rect, inner: Rect, (start, end): (Angle, Angle), window: Rect) {
     let sector = Sector::new(start, end);
     let (outer, hole) = (Ellipse::in_box(area), Ellipse::in_box(inner));
@@ -310,7 +313,7 @@ fn sectors_are_as_symmetric_as_their_angles() {
             let half = Angle::degrees(180);
             for (other, is_sideways) in [(half - angle, true), (-angle, false)] {
                 let inner = Rect::new(2, 2, width - 2, height - 2);
-                let shapes: [&dyn Fn(&mut dyn FnMut(ClippedSpan)); 3] = [
+                let shapes: [&Shape<'_>; 3] = [
                     &|emit| arc::fill(Ellipse::in_box(area), Sector::new(angle, other), area, emit),
                     &|emit| arc::outline(area, Sector::new(angle, other), area, emit),
                     &|emit| {

@@ -52,7 +52,7 @@ fn own(frame: &mut [u8], shape: &Soft, table: &mut [CoverageSlot], cells: &mut [
     match &shape.outline {
         Outline::Polygon(_) => match &shape.contours[..] {
             [contour] if contour.len() == 3 => {
-                frame.fill_triangle_aa([contour[0], contour[1], contour[2]], cells, white)
+                frame.fill_triangle_aa([contour[0], contour[1], contour[2]], cells, white);
             }
             contours => frame.fill_contours_aa(contours, shape.rule, table, cells, white).expect("slots enough"),
         },

@@ -1,6 +1,6 @@
 //! The page: `docs/coverage.md`.
 
-use std::path::Path;
+use std::{fmt::Write as _, path::Path};
 
 use anyhow::Result;
 use indicatif::ProgressBar;

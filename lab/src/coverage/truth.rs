@@ -7,11 +7,12 @@ use super::shape::{Outline, Soft};
 use crate::frame::{HEIGHT, WIDTH};
 
 /// How much of each pixel of a box is covered, from 0 to 1.
+#[expect(clippy::struct_field_names, reason = "areas are areas")]
 pub(crate) struct Areas {
     pub(crate) x0: i32,
     pub(crate) y0: i32,
     pub(crate) width: i32,
-    pub(crate) shares: Vec<f64>,
+    pub(crate) areas: Vec<f64>,
 }
 
 type Place = (f64, f64);
