@@ -41,13 +41,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     while let Some(argument) = arguments.next()? {
         match argument {
             Long("input") => input = Some(arguments.value()?.string()?),
-            Long("colors") => {
-                colors = arguments.value()?.parse_with(|text| match text {
-                    "2" => Ok(2),
-                    "16" => Ok(16),
-                    _ => Err("--colors takes 2 or 16"),
-                })?
-            }
+            Long("colors") => colors = arguments.value()?.parse_with(parse_colors)?,
             Long("out" | "output") => out = arguments.value()?.string()?,
             Short('h') | Long("help") => return Ok(USAGE.into()),
             _ => return Err(argument.unexpected().into()),
@@ -66,6 +60,14 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     sheet.write_png(&out)?;
     sheet.show(100);
     Ok(format!("{out}: {} x {}, of {colors} colours\n", sheet.width(), sheet.height()))
+}
+
+fn parse_colors(text: &str) -> Result<usize, &'static str> {
+    match text {
+        "2" => Ok(2),
+        "16" => Ok(16),
+        _ => Err("--colors takes 2 or 16"),
+    }
 }
 
 /// A ball with a light on it, in front of a sky.

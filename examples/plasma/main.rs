@@ -60,7 +60,7 @@ impl Moving for Plasma {
         self.frame += 1;
         let (mut line, mut display) = (vec![0; 2 * usize::from(width)], vec![]);
         scene::send(&Bitmap::new(&self.pixels, width, height)?, &palette, &mut line, |row| {
-            display.extend_from_slice(row)
+            display.extend_from_slice(row);
         });
         let crc32 = crc::crc32(&display);
         let ram = self.pixels.len() + line.len() + 2 * size_of_val(&self.colors);

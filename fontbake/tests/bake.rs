@@ -1,5 +1,5 @@
 //! Fonts out of files: what is baked is what is in the file.
-
+#![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "glyphs are small")]
 #![allow(missing_docs, reason = "tests")]
 
 use std::{collections::BTreeMap, fs, path::Path};
