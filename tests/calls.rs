@@ -35,6 +35,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Brush::new", "`Canvas::paint` makes one"),
     ("Cut", "not to be named outside of the crate; strokes call it"),
     ("Outline", "the same"),
+    ("Whole", "the same"),
     ("Error", "it wraps another error"),
     ("Frame::clone", "a copy"),
     ("Swapchain::begin_async", "a future panics when it is polled after its end, as all do"),

@@ -141,8 +141,9 @@ calls! {
     new => antialias::mixed(a);
     [mapped]
     fill => {
-        let mut sum = 0;
-        mapped::fill(&a.map(), a.extent(), window, |span, texels| sum = (sum, texel(span, texels)).answer()).map(|()| sum)
+        let (mut sum, size) = (0, Size::new(a.tile().into(), a.tile().into()));
+        let look = |span, texels| sum = (sum, texel(span, texels)).answer();
+        mapped::fill(&a.map(), size, window, look).map(|()| sum)
     };
     stretch => {
         let mut sum = 0;

@@ -296,10 +296,22 @@ fn texts_are_the_same_when_a_program_is_compiled() {
 fn any_text_is_read_as_another_reader_does() {
     let mut rng = Rng::new(1_323);
     let letters = b"MmLlHhVvCcSsQqTtAaZz0123456789.-+eE,, \n";
+    // Commands with the numbers that they take, more or less, and letters in any order.
+    let commands = [("Mm", 2), ("Ll", 2), ("Hh", 1), ("Vv", 1), ("Cc", 6), ("Ss", 4), ("Qq", 4), ("Tt", 2), ("Zz", 0)];
     let mut valid = 0;
     for _ in 0..cases(60_000) {
-        let text: String = (0..rng.below(60)).map(|_| char::from(rng.pick(letters))).collect();
-        let text = format!("{}{text}", rng.pick(&["", "M1 2", "m.5-3c"]));
+        let mut text = String::from(rng.pick(&["M1 2", "m.5-3", "M 7,8.25"]));
+        for _ in 0..rng.below(6) {
+            let (names, numbers) = rng.pick(&commands);
+            text.push(char::from(names.as_bytes()[rng.below(2) as usize]));
+            for _ in 0..(numbers + u64::from(rng.one_in(40))) {
+                text.push_str(rng.pick(&[" ", ",", "\n ", "-", " +"]));
+                text.push_str(rng.pick(&["1", "20", ".5", "3.25", "7e1", "12.5e-1", "0", "4."]));
+            }
+        }
+        if rng.one_in(3) {
+            text.extend((0..rng.below(40)).map(|_| char::from(rng.pick(letters))));
+        }
         check(&text);
         let end = Path::svg(&text).map_or_else(|error| error.position, |_| text.len());
         let front = &text[..text[..end].rfind(|c: char| c.is_ascii_alphabetic() && !"eE".contains(c)).unwrap_or(0)];
