@@ -17,7 +17,7 @@ use embedded_graphics_core::{
     pixelcolor::{BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor},
 };
 use embedded_raster::{
-    buffer_bytes,
+    buffer_bytes, framebuffer,
     geom::At,
     paint::{Bayer, Cover, Linear, Masked, Outside, Radial},
     pipeline::{Pipeline, Vertex},
@@ -95,8 +95,9 @@ const PAGES: [Page; 4] = [
 ];
 
 fn first_program() -> Result<Picture, Error> {
-    let mut ram = [0; buffer_bytes::<Index4>(64, 48)]; // 1,536 bytes
-    let mut frame = Framebuffer::<Index4>::new(&mut ram, 64, 48)?;
+    type Screen = framebuffer!(Index4, 64, 48); // 1,536 bytes
+    let mut screen = Screen::new();
+    let mut frame = screen.frame();
     let (sea, land, border) = (Index4::new(1), Index4::new(2), Index4::new(15));
 
     frame.clear(sea);

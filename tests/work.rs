@@ -63,6 +63,7 @@ fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, an
         (_, "blit_mask") => (all.min(pixels(a.mask.window())), 0),
         (_, "copy_mask") => (all.min(pixels(a.mask_msb0.window())), 0),
         (_, "move_area" | "move_area_keyed" | "copy_area") => (all, all),
+        (_, "blit_with") => (all, all),
         (_, "fill_span" | "write_span" | "write_some") => (w, 0),
         (_, "edit_span") => (w, w),
         (_, "read_span" | "find" | "find_start") => (0, w),

@@ -10,7 +10,7 @@
 //! use embedded_raster::{paint::pattern::{self, Pattern}, raster::rectangle, Canvas, Framebuffer, Rect};
 //! let mut ram = [0; 3 * 8];
 //! let mut frame = Framebuffer::<BinaryColor>::new(&mut ram, 24, 8)?;
-//! for (left, rows) in (0..).step_by(8).zip([pattern::DIAGONAL, pattern::CHECKER, pattern::shade(16)]) {
+//! for (left, rows) in (0..).step_by(8).zip([pattern::DIAGONAL, pattern::CHECKER, pattern::shade(8)]) {
 //!     let paint = Pattern::new(rows, BinaryColor::On, Some(BinaryColor::Off));
 //!     frame.paint(paint, |window, brush| rectangle::fill(Rect::new(left, 0, left + 8, 8), window, brush));
 //! }

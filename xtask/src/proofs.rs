@@ -24,9 +24,9 @@ pub fn cross(chip: Chip) -> Result<()> {
 /// How much is proved.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Proofs {
-    /// Speed without overflow checks, as most ship it, and size with them.
+    /// Speed without overflow checks, as most ship it, and size with them; on four layouts of different kinds.
     Some,
-    /// Both with and without.
+    /// Both with and without, on ten layouts.
     All,
 }
 
@@ -36,18 +36,22 @@ pub fn probe(proofs: Proofs) -> Result<()> {
     ensure!(cfg!(target_os = "linux"), "the probe needs a linker that takes `-z defs`: run it on Linux");
     let host = host()?;
     println!("linking every call of the list for this computer, again and again: some minutes");
+    let layouts = if proofs == Proofs::All { "all-layouts" } else { "" };
     // Each of them is one unit of code, so two at a time: those for size take as long as those for speed.
     std::thread::scope(|scope| {
         let opts = [("3", "false"), ("s", "true")].map(|(opt, first)| {
             let host = &host;
             scope.spawn(move || {
                 if opt == "s" {
-                    ensure!(!link(host, opt, "true", true)?, "the probe links although it panics: it proves nothing");
+                    ensure!(
+                        !link(host, opt, "true", "panics")?,
+                        "the probe links although it panics: it proves nothing"
+                    );
                 }
                 let others = ["true", "false"].into_iter().filter(|&checks| checks != first && proofs == Proofs::All);
                 for checks in iter::once(first).chain(others) {
-                    if !link(host, opt, checks, false)? {
-                        let names = culprits(host, opt, checks)?;
+                    if !link(host, opt, checks, layouts)? {
+                        let names = culprits(host, opt, checks, layouts)?;
                         bail!("a panic can be reached at opt-level {opt}, overflow checks {checks}, from\n{names}");
                     }
                     println!("no panic can be reached at opt-level {opt}, overflow checks {checks}");
@@ -60,9 +64,9 @@ pub fn probe(proofs: Proofs) -> Result<()> {
 }
 
 /// Whether it links; any failure but the missing panic handler is an error.
-fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
+fn link(host: &str, opt: &str, checks: &str, features: &str) -> Result<bool> {
     let mut cargo = cargo_build(host, opt, checks, "target/probe");
-    cargo.args(if panics { &["--features", "panics"][..] } else { &[] });
+    cargo.args(["--features", features]);
     cargo.env("RUSTFLAGS", "-C link-arg=-Wl,-z,defs -C link-arg=-Wl,--gc-sections");
     let output = cargo.output().with_context(|| format!("starting {cargo:?}"))?;
     let text = String::from_utf8_lossy(&output.stderr);
@@ -72,9 +76,10 @@ fn link(host: &str, opt: &str, checks: &str, panics: bool) -> Result<bool> {
 }
 
 /// The functions that call what panics, a line each: linked with the handler left open, and read from the code.
-fn culprits(host: &str, opt: &str, checks: &str) -> Result<String> {
+fn culprits(host: &str, opt: &str, checks: &str, features: &str) -> Result<String> {
     let folder = "target/probe/names";
     let mut cargo = cargo_build(host, opt, checks, folder);
+    cargo.args(["--features", features]);
     cargo.env("RUSTFLAGS", "-C link-arg=-Wl,--gc-sections -C strip=none");
     ensure!(cargo.status()?.success(), "the probe does not build with the handler left open");
     let library = project().join(folder).join(opt).join(host).join("release/libprobe.so");

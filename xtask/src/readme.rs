@@ -161,7 +161,9 @@ mod tests {
         assert!(refused(&page.replace("loop {", "loop  {"), &manifest), "one blank more");
         assert!(refused(&page, &manifest.replace("panic-halt = \"1\"\n", "")), "a crate less");
         assert!(refused(&page, &format!("{manifest}static_cell = \"2\"\n")), "a crate more");
-        assert!(refused(&page, &manifest.replace("single-core", "")), "another feature");
+        let feature =
+            manifest.replace("cortex-m-rt = \"0.7\"", "cortex-m-rt = { version = \"0.7\", features = [\"device\"] }");
+        assert!(refused(&page, &feature), "another feature");
         assert!(refused("no program", &manifest), "none");
     }
 

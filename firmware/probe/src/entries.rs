@@ -2,11 +2,11 @@
 
 use core::slice;
 
-use calls::{blending, call, computing, frames, shading, Arguments, texts,};
-#[cfg(not(target_os = "none"))]
+use calls::{blending, call, computing, frames, shading, texts, Arguments};
+#[cfg(feature = "all-layouts")]
 use embedded_graphics_core::pixelcolor::Gray2;
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, Rgb888};
-#[cfg(not(target_os = "none"))]
+#[cfg(feature = "all-layouts")]
 use embedded_raster::{
     pixel::Xrgb8888,
     surface::{Packed12, Planes},
@@ -79,8 +79,8 @@ layouts! {
     Pages<Lsb0<BinaryColor>>: draw_pages frame_pages text_pages;
 }
 
-// One of each kind is enough for a chip: the linker has twice as much to do with all of them.
-#[cfg(not(target_os = "none"))]
+// One of each kind is enough for a chip, and for every change: the linker has twice as much to do with all of them.
+#[cfg(feature = "all-layouts")]
 layouts! {
     Rows<Index1>: draw1 frame1 text1;
     Rows<Lsb0<Gray2>>: draw2 frame2 text2;

@@ -187,7 +187,7 @@ fn is_after((x, y): (i32, i32), u: i64, v: i64) -> bool {
 /// let quarter = Sector::new(Angle::degrees(180), Angle::degrees(270));
 /// let mut spans = vec![];
 /// arc::outline(Rect::new(0, 0, 9, 9), quarter, Rect::new(0, 0, 64, 48), |s: ClippedSpan| spans.push((s.y(), s.x0(), s.x1())));
-/// assert_eq!(spans, [(0, 3, 4), (1, 1, 3), (2, 1, 2), (3, 0, 1), (4, 0, 1)]);
+/// assert_eq!(spans, [(0, 3, 4), (1, 1, 3), (2, 1, 2), (3, 0, 1)]); // the row of the centre is below it
 /// ```
 pub fn outline(area: Rect, sector: Sector, window: Rect, mut sink: impl Sink) {
     let curve = Ellipse::in_box(area).curve();
@@ -266,7 +266,7 @@ pub fn path(centre: PointFx, radii: [I24F8; 2], sector: Sector) -> Curves {
 /// let window = Rect::new(0, 0, 14, 9);
 /// let stroke = Stroke::px(2).with_cap(Cap::Square);
 /// arc::stroke(PointFx::px(7, 7), [px(6); 2], half, &stroke, &mut table, window, |s: ClippedSpan| rows.push((s.y(), s.x0(), s.x1())))?;
-/// assert_eq!(rows[0], (0, 5, 9)); // the top
+/// assert_eq!(rows[0], (0, 4, 10)); // the top
 /// assert_eq!(rows[rows.len() - 2..], [(7, 0, 2), (7, 12, 14)]); // the caps, a row below the centre
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
