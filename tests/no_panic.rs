@@ -77,11 +77,12 @@ fn shapes_and_tools() {
 #[test]
 fn small_shapes_in_windows_without_end() {
     let (mut random, mut scratch) = (Random::new(111), Scratch::new(111));
-    for _ in 0..cases(15_000) {
+    for round in 0..cases(15_000) {
         let mut input = random.input();
         let ground = Ground::Close(input.wild(), input.wild());
-        // Floods would fill the plane.
-        compute(&mut scratch.arguments(&mut input, ground, COLORS), |name| name != "flood::fill");
+        // Floods would fill the plane. Parts of ellipses have many curves, which are cut anew for each of many strips: less often.
+        let is_wanted = |name: &str| name != "flood::fill" && (round % 16 == 0 || !name.starts_with("round::"));
+        compute(&mut scratch.arguments(&mut input, ground, COLORS), is_wanted);
     }
     // Rows without end, and no slot at all.
     let huge = [(i32::MIN, i32::MIN), (i32::MAX, 0), (0, i32::MAX)].map(|(x, y)| PointFx::from_bits(x, y));
