@@ -208,8 +208,9 @@ fn draw<S, M, L>(
 fn thirds(size: u32, (start, end): (i32, i32), (low, high): (i32, i32)) -> [(i32, i32); 4] {
     // Pictures are below 2^16, boxes may be as large as numbers go.
     let size = signed(size);
-    let start = start.clamp(0, size);
-    let end = end.clamp(start, size);
+    // Not `clamp`, which has a panic in it.
+    let start = start.max(0).min(size);
+    let end = end.max(start).min(size);
     let (before, after) = (i64::from(start), i64::from(size.wrapping_sub(end)));
     let length = i64::from(high).wrapping_sub(low.into()).max(0);
     let both = before.wrapping_add(after);
