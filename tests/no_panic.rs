@@ -80,8 +80,8 @@ fn small_shapes_in_windows_without_end() {
     for round in 0..cases(15_000) {
         let mut input = random.input();
         let ground = Ground::Close(input.wild(), input.wild());
-        // Floods would fill the plane. Parts of ellipses have many curves, which are cut anew for each of many strips: less often.
-        let is_wanted = |name: &str| name != "flood::fill" && (round % 16 == 0 || !name.starts_with("round::"));
+        // Floods would fill the plane. Parts of ellipses have many curves: less often.
+        let is_wanted = |name: &str| name != "flood::fill" && (round % 4 == 0 || !name.starts_with("round::"));
         compute(&mut scratch.arguments(&mut input, ground, COLORS), is_wanted);
     }
     // Rows without end, and no slot at all.

@@ -129,9 +129,9 @@ calls! {
     triangle => covered(|_, cells, look| { coverage::triangle(a.corners_fx(), cells, window, look); true });
     rectangle => covered(|_, _, look| { coverage::rectangle(p, q, window, look); true });
     [round]
-    sector => covered(|table, cells, look| coverage::sector(ellipse, a.sector, table, cells, window, look).is_ok());
-    ring => covered(|table, cells, look| coverage::ring(ellipse, a.ellipses[1], table, cells, window, look).is_ok());
-    ring_sector => covered(|table, cells, look| {
+    sector => part_covered(|table, cells, look| coverage::sector(ellipse, a.sector, table, cells, window, look).is_ok());
+    ring => part_covered(|table, cells, look| coverage::ring(ellipse, a.ellipses[1], table, cells, window, look).is_ok());
+    ring_sector => part_covered(|table, cells, look| {
         coverage::ring_sector(ellipse, a.ellipses[1], a.sector, (table, cells), window, look).is_ok()
     });
     [Ramp]
@@ -488,6 +488,13 @@ impl Sink for Covered<'_> {
 fn covered(shape: impl FnOnce(&mut [CoverageSlot], &mut [i32], Covered<'_>) -> bool) -> (usize, bool) {
     let mut sum = 0;
     let is_drawn = with_scratch(|table, cells| shape(table, cells, Covered(&mut sum)));
+    (sum, is_drawn)
+}
+
+/// The same with memory for parts of ellipses: their curves are cut anew for each strip and each band.
+fn part_covered(shape: impl FnOnce(&mut [CoverageSlot], &mut [i32], Covered<'_>) -> bool) -> (usize, bool) {
+    let mut sum = 0;
+    let is_drawn = shape(&mut [CoverageSlot::EMPTY; 96], &mut [0; 800], Covered(&mut sum));
     (sum, is_drawn)
 }
 
