@@ -77,11 +77,11 @@ fn shapes_and_tools() {
 #[test]
 fn small_shapes_in_windows_without_end() {
     let (mut random, mut scratch) = (Random::new(111), Scratch::new(111));
-    for round in 0..cases(15_000) {
+    for _ in 0..cases(15_000) {
         let mut input = random.input();
         let ground = Ground::Close(input.wild(), input.wild());
-        // Floods would fill the plane. Parts of ellipses have many curves: less often.
-        let is_wanted = |name: &str| name != "flood::fill" && (round % 4 == 0 || !name.starts_with("round::"));
+        // Floods would fill the plane, and so would what joins two ellipses, one of which is a box beyond the last place.
+        let is_wanted = |name: &str| !["flood::fill", "round::ring_sector"].contains(&name);
         compute(&mut scratch.arguments(&mut input, ground, COLORS), is_wanted);
     }
     // Rows without end, and no slot at all.
