@@ -502,7 +502,7 @@ pub(crate) const fn on_ellipse([rx, ry]: [u32; 2], direction: (i32, i32)) -> (i3
 
 /// The angle of a vector of length 1 in 2.30.
 const fn full_angle((cos, sin): (i32, i32)) -> Angle {
-    let angle = angle_of(cos.abs(), sin.abs());
+    let angle = angle_of(cos.wrapping_abs(), sin.wrapping_abs());
     let angle = if cos < 0 { HALF.wrapping_sub(angle) } else { angle };
     Angle::from_bits(if sin < 0 { angle.wrapping_neg() } else { angle })
 }
@@ -520,7 +520,7 @@ pub(super) const fn angle_of(cos: i32, sin: i32) -> u32 {
         angle = angle.wrapping_add(unsigned(narrow(by)));
         let (c, s) = Angle::from_bits(angle).cos_sin();
         error = Sum::ZERO.plus(sin, c).minus(cos, s).nearest(30);
-        round += 1;
+        round = 1_i32.wrapping_add(round);
     }
     angle
 }

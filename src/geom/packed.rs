@@ -251,7 +251,7 @@ impl Numbers<'_> {
         }
         // The first of its bits becomes the highest one.
         let bits = word << (24_usize.wrapping_add(start & 7) & 63);
-        (bits.cast_signed() >> 64_usize.wrapping_sub(self.width)) << self.unit
+        (bits.cast_signed() >> (64_usize.wrapping_sub(self.width) & 63)) << (self.unit & 31)
     }
 }
 

@@ -65,7 +65,7 @@ pub trait Varying: Copy {
     /// How it changes over a triangle where it has these values at the corners.
     fn slopes(facet: &Facet, corners: [Self; 3]) -> Self::Slopes;
 
-    /// The same at the first pixel of the box of a [small](Facet::is_small) triangle, in the form for that, if there is one.
+    /// The same at the first pixel of the box of a small triangle, in the form for that, if there is one.
     #[inline(always)]
     fn small(facet: &Facet, corners: [Self; 3]) -> Option<Self::Small> {
         let _ = (facet, corners);

@@ -58,11 +58,14 @@ pub const BRICKS: [u8; 8] = [0xff, 0x80, 0x80, 0x80, 0xff, 0x08, 0x08, 0x08];
 /// ```
 pub fn shade(of_64: u32) -> [u8; 8] {
     let mut rows = [0; 8];
-    for (y, row) in (0..).zip(&mut rows) {
+    // Counted by hand: an open range checks for its end.
+    let mut y = 0_i32;
+    for row in &mut rows {
         for x in 0..8 {
             let is_set = Bayer::<8>::threshold(Point::new(x, y)) < of_64;
             *row = *row << 1 | u8::from(is_set);
         }
+        y = y.wrapping_add(1);
     }
     rows
 }

@@ -32,13 +32,16 @@ impl<const LEN: usize> ColorCube<LEN> {
     /// The table of a palette: `LEN` searches.
     pub fn new<const N: usize>(palette: &Palette<Rgb888, N>) -> Self {
         let mut table = [0; LEN];
-        for (cell, entry) in (0_u32..).zip(&mut table) {
+        // Counted by hand: an open range checks for its end.
+        let mut cell = 0_u32;
+        for entry in &mut table {
             // Bits of the cell, then the bit of its middle.
             let channel = |shift: u32| {
-                let number = cell >> (Self::BITS * shift) & ((1 << Self::BITS) - 1);
+                let number = cell >> (Self::BITS.wrapping_mul(shift) & 31) & ((1 << Self::BITS) - 1);
                 low_u8((number << 1 | 1) << (7 - Self::BITS))
             };
             *entry = palette.nearest(Rgb888::new(channel(2), channel(1), channel(0)));
+            cell = cell.wrapping_add(1);
         }
         Self { table }
     }

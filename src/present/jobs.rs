@@ -100,7 +100,7 @@ impl<const N: usize> Iterator for Jobs<N> {
     type Item = Rect;
 
     fn next(&mut self) -> Option<Rect> {
-        let areas = self.left.areas().iter().enumerate();
+        let areas = (0..N).zip(self.left.areas());
         let (_, _, topmost) = areas.map(|(at, area)| (area.y0, area.x0, at)).min()?;
         Some(self.left.take(topmost))
     }

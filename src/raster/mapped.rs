@@ -54,7 +54,9 @@ impl Texels {
     #[inline(always)]
     pub fn texel(&mut self) -> (i32, i32) {
         let [u, v] = self.place.map(|place| signed(low_u32(place >> FRACTION)));
-        self.place = [0, 1].map(|i| self.place[i].wrapping_add(self.step[i]));
+        for (place, step) in self.place.iter_mut().zip(self.step) {
+            *place = place.wrapping_add(step);
+        }
         (u, v)
     }
 }

@@ -109,8 +109,7 @@ impl<const N: usize> Damage<N> {
         }
         // Each round has one rectangle fewer than the one before, so there are N at most.
         loop {
-            let cheapest =
-                self.areas.iter().enumerate().map(|(i, &held)| (added(held.union(area), held, area), i)).min();
+            let cheapest = (0..N).zip(&self.areas).map(|(i, &held)| (added(held.union(area), held, area), i)).min();
             match cheapest {
                 Some((adds, i)) if adds <= self.patience => area = area.union(self.take(i)),
                 _ if self.areas.len() < N => {
@@ -126,7 +125,7 @@ impl<const N: usize> Damage<N> {
     /// the list.
     fn make_room(&mut self, area: Rect) -> Rect {
         let (mut least, mut pair) = (u32::MAX, (0, N));
-        for (i, &a) in self.areas.iter().enumerate() {
+        for (i, &a) in (0..N).zip(&self.areas) {
             // The further one has the number N.
             for (j, &b) in (0..N).zip(&self.areas).skip(i.wrapping_add(1)).chain([(N, &area)]) {
                 let adds = added(a.union(b), a, b);

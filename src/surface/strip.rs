@@ -59,7 +59,7 @@ impl<'a> Strip<'a> {
         let Rect { x0, y0, x1, .. } = self.area();
         let mut y = y0;
         for &byte in self.rows {
-            let mut bits = u32::from(byte) << 24 << self.skip;
+            let mut bits = u32::from(byte) << 24 << (self.skip & 31);
             let mut x = x0;
             while x < x1 {
                 let is_set = bits >> 31 != 0;

@@ -159,7 +159,8 @@ impl<'a, C: Copy> Style<'a, C> {
 
     /// Rows from the first of the first line to the last of the last.
     fn rows(&self, text: &str) -> u64 {
-        let newlines = text.bytes().filter(|&byte| byte == b'\n').count() as u64;
+        // Not `count`, which checks for an end that no text has.
+        let newlines = text.bytes().fold(0_u64, |n, byte| n.wrapping_add((byte == b'\n').into()));
         newlines.saturating_mul(self.line_height.into()).saturating_add(self.font.height().into())
     }
 

@@ -262,13 +262,13 @@ pub(super) fn draw_strip<F: PixelFormat>(
     let (on, ground) = (repeat::<F>(on), repeat::<F>(off.unwrap_or(on)));
     // Eight pixels of the strip as they lie in the bytes of a row: the pixels of the first byte on top, down from bit 15.
     let before = x & last_in_byte::<F>();
-    let placed = |bits: u8| u32::from(bits) << 8 >> before;
+    let placed = |bits: u8| u32::from(bits) << 8 >> (before & 31);
     let always = if off.is_some() { placed(wanted) } else { 0 };
     let len =
         before.wrapping_add(wanted.leading_ones() as usize).wrapping_add(last_in_byte::<F>()) >> byte_shift::<F>();
     let mut start = row.wrapping_add(x >> byte_shift::<F>());
     for bits in strip {
-        let (mut set, mut painted) = (placed(low_u8(u32::from(*bits) << skip) & wanted), always);
+        let (mut set, mut painted) = (placed(low_u8(u32::from(*bits) << (skip & 31)) & wanted), always);
         painted |= set;
         for place in memory.get_mut(start..start.wrapping_add(len)).unwrap_or_default() {
             let (ink, mask) = (spread::<F>(set), spread::<F>(painted));

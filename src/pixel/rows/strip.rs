@@ -36,7 +36,7 @@ pub(crate) fn draw<F: PixelFormat>(
     (on, off): (u32, Option<u32>),
 ) {
     if F::BITS < 8 {
-        let wanted = low_u8(0xff00 >> width);
+        let wanted = low_u8(0xff00 >> (width & 31));
         return packed::draw_strip::<F>(memory, (row, stride), x, (strip, (skip, wanted)), (on, off));
     }
     let Some(memory) = memory.get_mut(byte::<F>(row, x)..) else { return };
@@ -44,7 +44,7 @@ pub(crate) fn draw<F: PixelFormat>(
         return in_pairs((memory, stride), width, strip, low_u16(on), low_u16(off));
     }
     // The leftmost pixel that is wanted in bit 31. Bits that follow the wanted ones lie beyond the end of a row.
-    let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << skip);
+    let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << (skip & 31));
     match F::BITS {
         8 => expand((memory, stride), width, rows, [low_u8(on)], off.map(|off| [low_u8(off)])),
         16 => {
@@ -109,7 +109,7 @@ where
             if let Some(place) = pixels.get_mut(before as usize) {
                 *place = on;
             }
-            bits &= !(0x8000_0000 >> before);
+            bits &= !(0x8000_0000 >> (before & 31));
         }
     } else {
         for place in pixels {
@@ -129,7 +129,7 @@ fn in_pairs((memory, stride): (&mut [u8], usize), width: u32, strip: &[u8], on: 
     if width & 1 != 0 {
         let last = width.wrapping_sub(1);
         if let Some(memory) = memory.get_mut((last as usize).wrapping_mul(2)..) {
-            let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << last);
+            let rows = strip.iter().map(|bits| u32::from(*bits) << 24 << (last & 31));
             expand((memory, stride), 1, rows, on.to_le_bytes(), Some(ground.to_le_bytes()));
         }
     }
@@ -150,7 +150,7 @@ fn rows_of_pairs<const N: usize>(memory: (&mut [u8], usize), strip: &[u8], pairs
         let Some(places) = places.first_chunk_mut::<N>() else { return };
         let mut shift = 6;
         for place in places {
-            *place = pairs[(bits >> shift & 3) as usize];
+            *place = pairs[(bits >> (shift & 31) & 3) as usize];
             shift = u32::wrapping_sub(shift, 2) & 7;
         }
     });

@@ -241,7 +241,7 @@ pub fn ring_sector(outer: Ellipse, inner: Ellipse, sector: Sector, window: Rect,
 }
 
 /// The arc of an ellipse that lies in a sector, by its centre and radii, as segments of a path: a curve of no width, which begins at the
-/// first ray. Of a whole turn it is the closed ellipse. This is what [`stroke`] draws with a width, and
+/// first ray. Of a whole turn it is the closed ellipse. This is what [`stroke`](fn@stroke) draws with a width, and
 /// [`coverage::stroke`](crate::raster::coverage::stroke) with soft rims.
 pub fn path(centre: PointFx, radii: [I24F8; 2], sector: Sector) -> Curves {
     let angles = match sector.extent {
