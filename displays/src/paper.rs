@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | black, white | `Rows<BinaryColor>` or `Rows<Index1>`, 1 is white | `frame.row_bytes(0..h)` for `update_frame` |
 //! | black, white, red | `Planes<Index2>`, bit 0 white, bit 1 red: [`BLACK`], [`WHITE`], [`RED`] | `frame.plane_bytes(0)` and `(1)` for `update_color_frame` |
-//! | seven colours | `Rows<Index4>`, through [`SEVEN_COLORS`] | `frame.row_bytes(0..h)` for `update_frame` |
+//! | seven colours | `Rows<Index4>`, through [`EPAPER_7`](embedded_raster::pixel::EPAPER_7) | `frame.row_bytes(0..h)` for `update_frame` |
 //! | a part of them | any rows | [`part`] for `update_partial_frame` |
 //!
 //! So a frame has the bytes that drivers ask for, and is handed to them. Without a driver, transfers of this module send them:
@@ -12,10 +12,9 @@
 //!
 //! Nothing is seen before the controller is told to refresh; that, its waveforms and its busy line are the driver's business.
 
-use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use embedded_raster::{
     surface::{Frame, Planes, Rows},
-    Index2, Palette, PixelFormat, Rect,
+    Index2, PixelFormat, Rect,
 };
 
 use crate::{
@@ -31,18 +30,6 @@ pub const BLACK: Index2 = Index2::new(0b00);
 pub const WHITE: Index2 = Index2::new(0b01);
 /// Bit 1, in plane 1; what is in plane 0 does not count then. Yellow on panels that have it.
 pub const RED: Index2 = Index2::new(0b10);
-
-/// What the indices of a seven-colour panel look like: black, white, green, blue, red, yellow, orange, and "clean", which is no colour.
-pub const SEVEN_COLORS: Palette<Rgb888, 8> = Palette::new([
-    Rgb888::BLACK,
-    Rgb888::WHITE,
-    Rgb888::GREEN,
-    Rgb888::BLUE,
-    Rgb888::RED,
-    Rgb888::YELLOW,
-    Rgb888::new(255, 128, 0),
-    Rgb888::new(128, 128, 128),
-]);
 
 /// All of a frame after a command: 0x10 is "data start transmission 1" of UC8151, UC8159 and their kin, 0x24 "write RAM" of SSD16xx.
 ///

@@ -1,7 +1,11 @@
 //! The bytes that epd-waveshare sends for the same pictures, and what controllers make of them.
 
-use embedded_graphics_core::{draw_target::DrawTarget, pixelcolor::BinaryColor};
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    pixelcolor::{BinaryColor, Rgb888},
+};
 use embedded_raster::{
+    pixel::EPAPER_7,
     surface::{Planes, Rows},
     Index1, Index2, Index4, PixelFormat, Rect,
 };
@@ -109,10 +113,14 @@ fn seven_colours_are_sent_as_epd_waveshare_sends_them() {
 
 #[test]
 fn the_palette_of_seven_colours_is_that_of_epd_waveshare() {
-    use embedded_graphics_core::pixelcolor::Rgb888;
-    for index in 0..8 {
+    for index in 0..7 {
         let wanted = Rgb888::from(OctColor::from_nibble(index).expect("a colour"));
-        assert_eq!(paper::SEVEN_COLORS.get(index), Some(wanted), "{index}");
+        assert_eq!(EPAPER_7.get(index), Some(wanted), "{index}");
+    }
+    // What clears the paper is no ink: no colour is nearest to it, as greys would be to the grey that drivers have there.
+    let levels = || (0..=255).step_by(15);
+    for color in levels().flat_map(|r| levels().flat_map(move |g| levels().map(move |b| Rgb888::new(r, g, b)))) {
+        assert_ne!(EPAPER_7.nearest(color), 7, "{color:?}");
     }
 }
 
