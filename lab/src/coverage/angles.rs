@@ -7,10 +7,7 @@ use embedded_raster::FillRule;
 use plotters::prelude::*;
 use twins::rng::Rng;
 
-use super::{
-    entries,
-    shape::{Outline, Soft},
-};
+use super::{entries, outline::Outline, shape::Soft};
 use crate::engine::Origin;
 
 /// Lines at each angle.

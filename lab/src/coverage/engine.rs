@@ -8,10 +8,7 @@ use embedded_raster::{
 };
 use tiny_skia::{FillRule, Mask, Paint, Pixmap, Stroke, Transform};
 
-use super::{
-    shape::{Outline, Soft},
-    Levels, Ways,
-};
+use super::{outline::Outline, shape::Soft, Levels, Ways};
 use crate::{
     engine::{entry, Engine, Origin},
     frame::{HEIGHT, WIDTH},

@@ -2,7 +2,9 @@
 //! how bright thin lines are at any angle.
 //!
 //! ```text
-//!  shape                     an outline, prepared for everybody
+//!  outline, paths            what is filled, as each of the peers wants it
+//!    |
+//!  shape                     the same, prepared for everybody
 //!    |
 //!  engine, peers             one entry for each way: a mask of 320 x 240 levels
 //!    |
@@ -19,7 +21,10 @@
 pub(crate) mod angles;
 mod engine;
 mod judge;
+mod outline;
 pub(crate) mod page;
+#[cfg(feature = "peers-aa")]
+mod paths;
 #[cfg(feature = "peers-aa")]
 mod peers;
 mod shape;

@@ -3,7 +3,7 @@
 use embedded_raster::FillRule;
 use twins::coverage::{area, true_area, PIXEL};
 
-use super::shape::{Outline, Soft};
+use super::{outline::Outline, shape::Soft};
 use crate::frame::{HEIGHT, WIDTH};
 
 /// How much of each pixel of a box is covered, from 0 to 1.

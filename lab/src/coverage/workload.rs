@@ -4,7 +4,7 @@ use embedded_raster::FillRule;
 use textbook::scene;
 use twins::{rng::Rng, twice_area, Units};
 
-use super::shape::{Outline, Soft};
+use super::{outline::Outline, shape::Soft};
 use crate::{
     frame::{HEIGHT, WIDTH},
     workload::{judged, Workload},
