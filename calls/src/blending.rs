@@ -5,7 +5,7 @@ use embedded_raster::{
     paint::{Add, Cover, CoverGamma, Gamma, Masked},
     pixel::Argb8888,
     surface::{Accumulator, Sum},
-    Antialias, Bitmap, Canvas, ClippedSpan, Framebuffer, Layout,
+    Antialias, Bitmap, Canvas, ClippedSpan, Framebuffer, Layout, Pictures,
 };
 
 use crate::{answer::sum, calls, Arguments};

@@ -450,7 +450,7 @@ calls! {
     move_area_keyed => on.move_area_keyed(a.areas[0], a.points[0], a.colors[1]);
     flood_fill => on.flood_fill(a.points[0], a.connectivity(), a.slots, c);
     flood_fill_to => on.flood_fill_to(a.points[0], a.colors[1], a.connectivity(), a.slots, c);
-    [Antialias]
+    [Pictures]
     blit_with => on.blit_with(a.points[0], &a.picture, |new, old| if new == c { old } else { new });
     [Readable]
     color_at => !window.is_empty() && on.color_at(window.x0, window.y0) == c;

@@ -18,7 +18,7 @@ use crate::{
         stroke::{Dashing, Stroke},
     },
     span::Rect,
-    surface::{copy_with, Frame, Layout, Readable, Surface},
+    surface::{Frame, Layout, Surface},
 };
 
 /// Draws shapes with soft rims on any [`Surface`]: antialiasing. Each pixel is painted by how much of it the shape covers: see
@@ -284,48 +284,6 @@ pub trait Antialias: Surface {
         L::Color: PixelFormat<Color = L::Color>,
     {
         mask.tell_levels(at.into(), self.window(), Brush::new(self, paint));
-    }
-
-    /// Paints a picture so that its top left pixel falls on `at`, each pixel in the colour that `mix` makes of that of the picture and
-    /// the old one. What lies outside is clipped. The picture may have any layout, and colours of any type.
-    ///
-    /// With [`Argb8888::over`](crate::pixel::Argb8888::over) or its sister for premultiplied channels this is *source over*: sprites
-    /// with soft rims, shadows, glass. With indices, `mix` looks for the [nearest](crate::Palette::nearest) entry.
-    /// ```
-    /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
-    /// use embedded_raster::{pixel::{Argb8888, EGA}, Antialias, Bitmap, Framebuffer, Index4};
-    /// // Blue, green, red, alpha: a white pixel, a half of a red one, and none.
-    /// let sprite = [255, 255, 255, 255, 0, 0, 255, 128, 9, 9, 9, 0];
-    /// let sprite = Bitmap::<Argb8888>::new(&sprite, 3, 1)?;
-    /// let mut ram = [0x10, 0x84].repeat(4);
-    /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 4, 1)?;
-    /// frame.blit_with((1, 0), &sprite, Argb8888::over);
-    /// let colors = [0, 1, 2, 3].map(|x| frame.get((x, 0)));
-    /// let grey = Rgb565::new(16, 32, 16);
-    /// assert_eq!(colors, [grey, Rgb565::new(31, 63, 31), Rgb565::new(24, 16, 8), grey].map(Some));
-    ///
-    /// let mut ram = [0x22; 2];
-    /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 4, 1)?;
-    /// frame.blit_with((1, 0), &sprite, |source, old: Index4| {
-    ///     let under = EGA.get(old.index()).unwrap_or_default();
-    ///     Index4::new(EGA.nearest(source.over(under)))
-    /// });
-    /// assert_eq!(ram, [0x2f, 0x62]);
-    /// # Ok::<(), embedded_raster::Error>(())
-    /// ```
-    #[doc(alias("blend", "composite", "source_over", "alpha", "sprite", "pushImage"))]
-    #[inline]
-    fn blit_with<M, L>(
-        &mut self,
-        at: impl Into<Point>,
-        picture: &Frame<M, L>,
-        mix: impl FnMut(L::Color, Self::Color) -> Self::Color,
-    ) where
-        Self: Readable + Sized,
-        M: AsRef<[u8]>,
-        L: Layout,
-    {
-        copy_with(self, at.into(), picture, mix);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::{
     },
     raster::mapped::{self, Texels},
     span::{ClippedSpan, Rect},
-    surface::{Frame, Layout, Sheet, Surface},
+    surface::{blit_mapped, blit_mixed, Frame, Layout, Readable, Sheet, Surface},
 };
 
 /// Draws pictures on any [`Surface`], whatever colours they have: of each texel, `color` makes the colour of the pixel, or `None` to
@@ -56,24 +56,55 @@ pub trait Pictures: Surface {
         &mut self,
         at: impl Into<Point>,
         picture: &Frame<M, L>,
-        mut color: impl FnMut(L::Color) -> Option<Self::Color>,
+        color: impl FnMut(L::Color) -> Option<Self::Color>,
     ) where
         Self: Sized,
         M: AsRef<[u8]>,
         L: Layout,
     {
-        let (at, from, window) = (at.into(), picture.window(), self.window());
-        // In wide numbers: a picture may lie anywhere.
-        let end = |at: i32, size: u32| saturate(i64::from(at).wrapping_add(size.into()));
-        let to = Rect::new(at.x, at.y, end(at.x, from.width()), end(at.y, from.height())).intersection(window);
-        if to.is_empty() {
-            return;
-        }
-        let (right, down) = (from.x0.wrapping_sub(at.x), from.y0.wrapping_sub(at.y));
-        for y in to.y0..to.y1 {
-            let row = y.wrapping_add(down);
-            self.write_some(ClippedSpan::inside(y, to.x0, to.x1), |x| color(picture.at(x.wrapping_add(right), row)));
-        }
+        blit_mapped(self, at.into(), picture, color);
+    }
+
+    /// Paints a picture so that its top left pixel falls on `at`, each pixel in the colour that `mix` makes of that of the picture and
+    /// the old one. What lies outside is clipped. The picture may have any layout, and colours of any type.
+    ///
+    /// With [`Argb8888::over`](crate::pixel::Argb8888::over), or `over_premultiplied` where channels were multiplied by alpha before, this is
+    /// *source over*: sprites with soft rims, shadows, glass. With indices, `mix` looks for the [nearest](crate::Palette::nearest) entry.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+    /// use embedded_raster::{pixel::{Argb8888, EGA}, Bitmap, Framebuffer, Index4, Pictures};
+    /// // Blue, green, red, alpha: a white pixel, a half of a red one, and none.
+    /// let sprite = [255, 255, 255, 255, 0, 0, 255, 128, 9, 9, 9, 0];
+    /// let sprite = Bitmap::<Argb8888>::new(&sprite, 3, 1)?;
+    /// let mut ram = [0x10, 0x84].repeat(4);
+    /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 4, 1)?;
+    /// frame.blit_with((1, 0), &sprite, Argb8888::over);
+    /// let colors = [0, 1, 2, 3].map(|x| frame.get((x, 0)));
+    /// let grey = Rgb565::new(16, 32, 16);
+    /// assert_eq!(colors, [grey, Rgb565::new(31, 63, 31), Rgb565::new(24, 16, 8), grey].map(Some));
+    ///
+    /// let mut ram = [0x22; 2];
+    /// let mut frame = Framebuffer::<Index4>::new(&mut ram, 4, 1)?;
+    /// frame.blit_with((1, 0), &sprite, |source, old: Index4| {
+    ///     let under = EGA.get(old.index()).unwrap_or_default();
+    ///     Index4::new(EGA.nearest(source.over(under)))
+    /// });
+    /// assert_eq!(ram, [0x2f, 0x62]);
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
+    #[doc(alias("blend", "composite", "source_over", "alpha", "sprite", "pushImage"))]
+    #[inline]
+    fn blit_with<M, L>(
+        &mut self,
+        at: impl Into<Point>,
+        picture: &Frame<M, L>,
+        mix: impl FnMut(L::Color, Self::Color) -> Self::Color,
+    ) where
+        Self: Readable + Sized,
+        M: AsRef<[u8]>,
+        L: Layout,
+    {
+        blit_mixed(self, at.into(), picture, mix);
     }
 
     /// Draws a picture stretched to a box, which may be smaller or larger: as often as large, or by any ratio. The middle of a pixel

@@ -27,7 +27,7 @@ use crate::num::cast::low_u8;
 /// A colour of 8 bits a channel with an alpha in the high byte: blue, green, red, alpha in memory; [`Be<Argb8888>`](super::Be) has
 /// them the other way round.
 ///
-/// Pictures of it are painted by [`Antialias::blit_with`](crate::Antialias::blit_with).
+/// Pictures of it are painted by [`Pictures::blit_with`](crate::Pictures::blit_with).
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Argb8888(RawU32);
 

@@ -70,8 +70,8 @@ impl<const N: usize, const FRAMES: usize> History<N, FRAMES> {
 
     /// In the frame of this [number](Buffer::frame), `damage` is what differs from the frame before it.
     ///
-    /// A frame that is [cancelled](super::Swapchain::cancel) is recorded like any other if what it would have shown counts as shown for the next
-    /// one. If the number does not follow that of the last call, all that was known is forgotten.
+    /// A frame that was [cancelled](super::Swapchain::cancel) is recorded as well if the next one draws only what differs from it. If
+    /// the number does not follow that of the last call, all that was known is forgotten.
     pub fn record(&mut self, frame: u32, damage: &Damage<N>) {
         let follows = self.known > 0 && frame == self.newest.wrapping_add(1);
         self.known = if follows { self.known.saturating_add(1).min(FRAMES) } else { 1 };

@@ -5,7 +5,7 @@
 //! ```text
 //!   damage            grains of 8 rows      jobs
 //!   row  5  +--+      row 0   +--+
-//!   row  9  +--+ +-+          |  |+-+  ->   one rectangle of rows 0 to 15, or two of 8 columns more apart
+//!   row  9  +--+ +-+          |  |+-+  ->   one rectangle of rows 0 to 15
 //!   row 12       +-+  row 16  +--+
 //! ```
 

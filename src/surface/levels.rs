@@ -9,7 +9,7 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use super::{blit::Plan, frame::Frame, layout::Layout, traits::Readable};
+use super::{blit::Plan, frame::Frame, layout::Layout};
 use crate::{
     num::cast::{index, low_u32, low_u8},
     pixel::PixelFormat,
@@ -97,22 +97,4 @@ where
             f(ClippedSpan::inside(span.y(), column(from), column(next)));
         }
     }
-}
-
-/// Gives each pixel that a picture falls on the colour that `mix` makes of that of the picture and the old one.
-pub(crate) fn copy_with<S, M, L>(
-    to: &mut S,
-    at: Point,
-    picture: &Frame<M, L>,
-    mut mix: impl FnMut(L::Color, S::Color) -> S::Color,
-) where
-    S: Readable,
-    M: AsRef<[u8]>,
-    L: Layout,
-{
-    let Some(plan) = Plan::new(to.window(), at, picture.window()) else { return };
-    plan.each_row(|span, (from_x, from_y)| {
-        let right = from_x.wrapping_sub(span.x0());
-        to.edit_span(span, |x, old| mix(picture.at(x.wrapping_add(right), from_y), old));
-    });
 }

@@ -52,6 +52,6 @@ pub use self::{
     turned::{Turn, Turned},
 };
 pub(crate) use self::{
-    levels::{copy_with, CHUNK},
-    traits::{Inside, Said},
+    levels::CHUNK,
+    traits::{blit_mapped, blit_mixed, Inside, Said},
 };

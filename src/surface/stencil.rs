@@ -65,7 +65,7 @@ where
     #[inline]
     fn write_some(&mut self, span: ClippedSpan, mut color_at: impl FnMut(i32) -> Option<S::Color>) {
         let Some(span) = span.again(self.mask.window()) else { return };
-        // Whoever gives the colours may count: it is asked for those that nobody sees, too.
+        // The function may count its calls, so it is asked for the colours of hidden pixels, too.
         let mask = &self.mask;
         self.surface.write_some(span, |x| color_at(x).filter(|_| mask.is_set(x, span.y())));
     }

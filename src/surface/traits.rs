@@ -211,6 +211,59 @@ pub(crate) enum Said {
     Octants(Octants),
 }
 
+/// Paints the pixels of a picture that a plan names, one by one, each in what `color` makes of it, or not at all for `None`.
+#[inline(always)]
+fn copy_mapped<S, M, L>(
+    to: &mut S,
+    plan: Plan,
+    picture: &Frame<M, L>,
+    mut color: impl FnMut(L::Color) -> Option<S::Color>,
+) where
+    S: Surface,
+    M: AsRef<[u8]>,
+    L: Layout,
+{
+    plan.each_row(|span, (from_x, from_y)| {
+        let right = from_x.wrapping_sub(span.x0());
+        to.write_inside(Inside(Said::Span(span)), |x| color(picture.at(x.wrapping_add(right), from_y)));
+    });
+}
+
+/// Paints a picture so that its top left pixel falls on `at`: see [`copy_mapped`].
+#[inline(always)]
+pub(crate) fn blit_mapped<S, M, L>(
+    to: &mut S,
+    at: Point,
+    picture: &Frame<M, L>,
+    color: impl FnMut(L::Color) -> Option<S::Color>,
+) where
+    S: Surface,
+    M: AsRef<[u8]>,
+    L: Layout,
+{
+    if let Some(plan) = Plan::new(to.window(), at, picture.window()) {
+        copy_mapped(to, plan, picture, color);
+    }
+}
+
+/// Gives each pixel that a picture falls on the colour that `mix` makes of that of the picture and the old one.
+pub(crate) fn blit_mixed<S, M, L>(
+    to: &mut S,
+    at: Point,
+    picture: &Frame<M, L>,
+    mut mix: impl FnMut(L::Color, S::Color) -> S::Color,
+) where
+    S: Readable,
+    M: AsRef<[u8]>,
+    L: Layout,
+{
+    let Some(plan) = Plan::new(to.window(), at, picture.window()) else { return };
+    plan.each_row(|span, (from_x, from_y)| {
+        let right = from_x.wrapping_sub(span.x0());
+        to.edit_span(span, |x, old| mix(picture.at(x.wrapping_add(right), from_y), old));
+    });
+}
+
 /// Copies the pixels of a picture that a plan names, one by one, except those of the colour `key`.
 #[inline(always)]
 pub(super) fn copy_by_pixels<S, M, L>(to: &mut S, plan: Plan, picture: &Frame<M, L>, key: Option<S::Color>)
@@ -219,12 +272,7 @@ where
     M: AsRef<[u8]>,
     L: Layout<Color = S::Color>,
 {
-    plan.each_row(|span, (from_x, from_y)| {
-        to.write_inside(Inside(Said::Span(span)), |x| {
-            let color = picture.at(from_x.wrapping_add(x.wrapping_sub(span.x0())), from_y);
-            Some(color).filter(|_| key != Some(color))
-        });
-    });
+    copy_mapped(to, plan, picture, |color| Some(color).filter(|_| key != Some(color)));
 }
 
 /// A surface whose pixels can be read: what flood fills, scrolling and blending need. A foreign `DrawTarget` is none.

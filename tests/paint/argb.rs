@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{Gray2, Gray4, Gray8, GrayColor, Rgb565,
 use embedded_raster::{
     pixel::{Argb8888, Be, Channels, Rgb332, Rgb444, Xrgb8888},
     surface::{Packed12, Rows},
-    Antialias, Bitmap, Frame, Layout, PixelFormat, Rect,
+    Bitmap, Frame, Layout, Pictures, PixelFormat, Rect,
 };
 use twins::rng::{cases, Rng};
 
