@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example patterns` writes `patterns.png`; `-- --out FILE.png` another file.
 
-use std::{env, error::Error, process::ExitCode};
+use std::{error::Error, process::ExitCode};
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use embedded_raster::{
@@ -31,17 +31,21 @@ const HATCHINGS: [[u8; 8]; 9] = [
 ];
 
 fn main() -> ExitCode {
-    finish("patterns", run(&env::args().skip(1).collect::<Vec<_>>()))
+    finish("patterns", run(lexopt::Parser::from_env()))
 }
 
-fn run(arguments: &[String]) -> Result<String, Box<dyn Error>> {
-    let out = match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => "patterns.png",
-        ["--out", out] => out,
-        _ => return Ok("usage: patterns [--out FILE.png]\n".into()),
-    };
+fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
+    use lexopt::prelude::*;
+    let mut out = "patterns.png".to_owned();
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Long("out" | "output") => out = arguments.value()?.string()?,
+            Short('h') | Long("help") => return Ok("usage: patterns [--out FILE.png]\n".into()),
+            _ => return Err(argument.unexpected().into()),
+        }
+    }
     let picture = draw()?;
-    picture.write_png(out)?;
+    picture.write_png(&out)?;
     picture.show(100);
     Ok(format!("{out}: {} x {}\n", SIZE.0, SIZE.1))
 }
