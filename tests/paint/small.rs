@@ -95,10 +95,10 @@ fn check<V: Varying>(
         for ((x, y), (at, got)) in wanted.into_iter().zip(shown) {
             assert_eq!(at, Point::new(x, y), "{units:?}");
             assert!(picture.0[(y * SIZE + x) as usize].is_some(), "{units:?} at {at}");
-            for i in 0..3 {
+            for (i, got) in got.into_iter().enumerate() {
                 let levels = values.each_ref().map(|value| parts(value)[i]);
                 let nearest = planes::nearest(units, levels, x, y);
-                assert_eq!(i128::from(got[i]), nearest, "part {i} of {units:?} with {levels:?} at {at}");
+                assert_eq!(i128::from(got), nearest, "part {i} of {units:?} with {levels:?} at {at}");
             }
             seen += 1;
         }
@@ -139,10 +139,8 @@ fn colors_are_the_nearest_ones() {
 #[test]
 fn numbers_are_the_nearest_ones() {
     let word = |rng: &mut Rng| level(rng, 65_535) as u16;
-    check(6, |rng| (word(rng), word(rng) as i16, level(rng, 255) as u8), numbers, |value| numbers(&value));
-    fn numbers((a, b, c): &(u16, i16, u8)) -> [i64; 3] {
-        [i64::from(*a), i64::from(*b), i64::from(*c)]
-    }
+    let numbers = |(a, b, c): (u16, i16, u8)| [i64::from(a), i64::from(b), i64::from(c)];
+    check(6, |rng| (word(rng), word(rng) as i16, level(rng, 255) as u8), |value| numbers(*value), numbers);
 }
 
 /// With a depth buffer, in two orders, against a loop over all pixels and triangles.
