@@ -62,7 +62,7 @@ const PAGES: [Page; 4] = [
     Page {
         text: "src/tour.md",
         data: "src/tour.md",
-        programs: &[("first-program", first_program), ("paints", paints), ("dither", dither), ("reading", reading)],
+        programs: &[("first-program", first_program), ("paints", paints), ("dither", dither), ("soft-rims", soft_rims), ("reading", reading)],
         others: &[("places", places)],
         files: &[("world-map", "docs/world_map.png"), ("shapes", "docs/shapes.png"), ("teapots", "docs/teapot.png")],
     },
@@ -144,6 +144,18 @@ fn dither() -> Result<Picture, Error> {
     let levels = [20, 250, 90].map(|level: u8| (level, At::default()));
     frame.shade_triangle_fx(corners(0), levels, |(level, _)| Gray4::new(level >> 4))?;
     frame.shade_triangle_fx(corners(64), levels, |(level, At(at))| Gray4::new(Bayer::<4>::shade(level, 15, at)))?;
+    Ok(Picture::of(&frame).zoomed(ZOOM))
+}
+
+fn soft_rims() -> Result<Picture, Error> {
+    let mut ram = [0; buffer_bytes::<Gray8>(64, 48)];
+    let mut frame = Framebuffer::<Gray8>::new(&mut ram, 64, 48)?;
+    let mut table = [CoverageSlot::EMPTY; 16]; // the sides that touch a row
+    let mut cells = [0; coverage::cells(64)]; // a row of pixels; with fewer, a row is drawn in parts
+    let (dial, hand) = (Ellipse::circle(PointFx::px(32, 24), px(21)), [PointFx::px(32, 24), PointFx::px(46, 12)]);
+    frame.fill_ellipse_aa(dial, &mut table, &mut cells, Cover(Gray8::new(120)))?;
+    frame.stroke_line_aa(hand, &Stroke::px(3), &mut table, &mut cells, Cover(Gray8::WHITE))?;
+    frame.draw_line_aa(PointFx::px(32, 24), PointFx::px(25, 8), &mut cells, Cover(Gray8::WHITE));
     Ok(Picture::of(&frame).zoomed(ZOOM))
 }
 

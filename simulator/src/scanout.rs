@@ -28,7 +28,7 @@
 //!     match buffers {
 //!         1 => play(&mut display, [black], Flips::AtRefresh, 20, draw, row),
 //!         _ => play(&mut display, [black; 2], Flips::AtRefresh, 20, draw, row),
-//!     }
+//!     };
 //!     display.take().iter().any(|picture| picture.color(0, 0) != picture.color(0, 3))
 //! };
 //! assert!(is_torn(1) && !is_torn(2));

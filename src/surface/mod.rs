@@ -6,8 +6,7 @@
 //! [`Turned`] one is another surface, turned by quarters or in a mirror.
 //!
 //! A wrapper around a surface can be a surface too, through which everything goes that is drawn. A [`Recorder`] is one: it tells
-//! where something is drawn, and [`Damage`] keeps that as a short list of rectangles.
-//! A wrapper around a surface can be a surface too, through which everything goes that is drawn: a [`Stencil`] clips it to a shape.
+//! where something is drawn, and [`Damage`] keeps that as a short list of rectangles. A [`Stencil`] clips to a shape.
 
 mod accumulator;
 mod blit;
