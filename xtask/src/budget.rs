@@ -35,10 +35,26 @@ pub type Budgets = BTreeMap<String, f64>;
 /// How much is measured.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Columns {
-    /// The builds that most firmwares are.
+    /// Speed in the builds that most firmwares are, and flash on the chip that has least of it.
     Usual,
-    /// Those with `-C target-cpu` too.
+    /// Speed with `-C target-cpu` too, and flash on both.
     All,
+}
+
+impl Columns {
+    /// Whether a number is one of them.
+    fn have(self, name: &str) -> bool {
+        self == Self::All || !is_of_processor(name) && !name.contains(";m4;s;")
+    }
+
+    /// The chips whose flash is measured.
+    fn sized(self) -> &'static [(&'static str, Chip)] {
+        if self == Self::All {
+            &CHIPS
+        } else {
+            &CHIPS[..1]
+        }
+    }
 }
 
 /// What stands in a chip's name for a build with `-C target-cpu`.
@@ -52,7 +68,8 @@ pub fn measure(columns: Columns) -> Result<Budgets> {
     for &cpu in processors {
         firmware::build_together("bench", &["cycles", "own", "scene"], &chips, Opt::Three, cpu)?;
     }
-    firmware::build_with_frames(size::PACKAGE, &chips, Opt::Small)?;
+    let sized = columns.sized();
+    firmware::build_with_frames(size::PACKAGE, &sized.iter().map(|&(_, chip)| chip).collect::<Vec<_>>(), Opt::Small)?;
     check_models(&chips)?;
     let host = scene::on_host("host")?;
     // Those of this crate.
@@ -63,6 +80,8 @@ pub fn measure(columns: Columns) -> Result<Budgets> {
             let name = format!("{name}{}", if cpu { CPU } else { "" });
             speed(&mut all, &name, Build { cpu, ..build }, &host)?;
         }
+    }
+    for &(name, chip) in sized {
         for feature in size::features(&features, chip, Opt::Small)? {
             let name = format!("{name};s;{};", feature.name);
             let number = |bytes: i64| i32::try_from(bytes).map(f64::from);
@@ -125,7 +144,7 @@ pub fn check(columns: Columns) -> Result<()> {
     let path = path();
     let text = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
     let mut budgets = parse(&text)?;
-    budgets.retain(|name, _| columns == Columns::All || !is_of_processor(name));
+    budgets.retain(|name, _| columns.have(name));
     let wrong = differences(&budgets, measured);
     if !wrong.is_empty() {
         bail!("{} of {} budgets:\n{wrong}write them anew with --bless", wrong.lines().count(), measured.len());
@@ -203,6 +222,9 @@ mod tests {
     fn columns_are_known_by_the_chip() {
         assert!(is_of_processor("cycles;m4-cpu;3;clear;rgb565"), "with a processor");
         assert!(!is_of_processor("cycles;m4;3;clear;rgb565"), "without");
+        let usual = |name| Columns::Usual.have(name);
+        assert!(usual("flash;m0;s;line;") && usual("cycles;m4;3;clear;rgb565"), "of the usual builds");
+        assert!(!usual("flash;m4;s;line;") && !usual("cycles;m0-cpu;3;clear;rgb565"), "of others");
     }
 
     #[test]
