@@ -9,7 +9,8 @@
 //! [`world`] is a scene worth looking at: the countries of the world, ready to be drawn at any size and depth. [`paint`] is a
 //! paint program, by scripts and in a window. [`teapot`] is a body in space, of patches or of an OBJ file, in many views.
 //! [`svg`] draws paths as SVG has them. [`clock`] is a clock with soft rims, [`gauge`] a dial with a needle on one bit. [`film`]
-//! makes APNG and GIF files of pictures, and [`palettes`] reads colour tables. [`scanout`] is a display over time: what is seen of a
+//! makes APNG and GIF files of pictures, [`palettes`] reads colour tables, and [`quantize`]
+//! makes them for a picture. [`scanout`] is a display over time: what is seen of a
 //! buffer that is drawn on while it is shown. [`moving`] has what programs share that show a scene that moves, and
 //! [`heat`](mod@heat) counts how often each pixel is drawn. [`cookbook`] has the programs of the first hour.
 //! ```
@@ -36,6 +37,7 @@ mod picture;
 mod png;
 mod pnm;
 mod preview;
+pub mod quantize;
 pub mod scanout;
 pub mod svg;
 pub mod teapot;
