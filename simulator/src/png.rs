@@ -33,10 +33,11 @@ impl Picture {
         Ok(file)
     }
 
-    /// Reads a PNG file that [`write_png`](Self::write_png) could have written: indexed, or RGB of 8 bits.
+    /// Reads a PNG file of any kind. Indexed ones stay indexed, all else becomes colours of 8 bits a channel. Without colours, what lets
+    /// through lies on white.
     ///
     /// # Errors
-    /// Of the file system, and `InvalidData` for any other file.
+    /// Of the file system, and `InvalidData` for a file that is no PNG.
     pub fn read_png(path: impl AsRef<Path>) -> io::Result<Self> {
         Self::from_png(io::BufReader::new(fs::File::open(path)?))
     }
@@ -45,24 +46,54 @@ impl Picture {
     ///
     /// # Errors
     /// As [`read_png`](Self::read_png).
-    pub fn from_png(source: impl BufRead + Seek) -> io::Result<Self> {
+    pub fn from_png(mut source: impl BufRead + Seek) -> io::Result<Self> {
+        let bad = |error| io::Error::new(io::ErrorKind::InvalidData, error);
+        let start = source.stream_position()?;
+        let mut decoder = Decoder::new(&mut source);
+        decoder.set_transformations(png::Transformations::IDENTITY);
+        let mut reader = decoder.read_info().map_err(bad)?;
+        let info = reader.info();
+        // Indices do not tell how much they let through: with transparency they become colours.
+        let palette = info.palette.as_deref().filter(|_| info.color_type == ColorType::Indexed && info.trns.is_none());
+        let Some(palette) = palette.map(colors) else {
+            drop(reader);
+            source.seek(io::SeekFrom::Start(start))?;
+            return Self::colors_of_png(source);
+        };
+        let mut data = vec![0; reader.output_buffer_size().unwrap_or_default()];
+        let frame = reader.next_frame(&mut data).map_err(bad)?;
+        let (width, height, bits) = (frame.width as usize, frame.height as usize, frame.bit_depth as u8);
+        Ok(Self::from_indices(width, height, bits, palette, unpacked(&data, width, bits)))
+    }
+
+    /// The colours of any PNG file.
+    fn colors_of_png(source: impl BufRead + Seek) -> io::Result<Self> {
         let bad = |error| io::Error::new(io::ErrorKind::InvalidData, error);
         let mut decoder = Decoder::new(source);
-        decoder.set_transformations(png::Transformations::IDENTITY);
+        decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
         let mut reader = decoder.read_info().map_err(bad)?;
         let mut data = vec![0; reader.output_buffer_size().unwrap_or_default()];
         let frame = reader.next_frame(&mut data).map_err(bad)?;
-        let palette = reader.info().palette.as_deref().map(colors).unwrap_or_default();
-        let (width, height) = (frame.width as usize, frame.height as usize);
-        match (frame.color_type, frame.bit_depth) {
-            (ColorType::Indexed, depth) if !palette.is_empty() => {
-                let bits = depth as u8;
-                Ok(Self::from_indices(width, height, bits, palette, unpacked(&data, width, bits)))
-            }
-            (ColorType::Rgb, BitDepth::Eight) => Ok(Self::from_colors(width, height, colors(&data))),
-            _ => Err(io::Error::new(io::ErrorKind::InvalidData, "neither an indexed nor an RGB picture")),
-        }
+        data.truncate(frame.buffer_size());
+        let colors = match frame.color_type {
+            ColorType::Grayscale => data.iter().map(|&level| Rgb888::new(level, level, level)).collect(),
+            ColorType::GrayscaleAlpha => data.chunks_exact(2).map(|c| on_white([c[0], c[0], c[0]], c[1])).collect(),
+            ColorType::Rgb => colors(&data),
+            ColorType::Rgba => data.chunks_exact(4).map(|c| on_white([c[0], c[1], c[2]], c[3])).collect(),
+            ColorType::Indexed => return Err(io::Error::new(io::ErrorKind::InvalidData, "indices without a palette")),
+        };
+        Ok(Self::from_colors(frame.width as usize, frame.height as usize, colors))
     }
+}
+
+/// A colour that covers so many parts of 255 of a white ground.
+fn on_white(color: [u8; 3], alpha: u8) -> Rgb888 {
+    let mixed = |level: u8| {
+        let sum = u32::from(level) * u32::from(alpha) + 255 * u32::from(255 - alpha);
+        u8::try_from((sum + 127) / 255).unwrap_or(255)
+    };
+    let [r, g, b] = color.map(mixed);
+    Rgb888::new(r, g, b)
 }
 
 /// What writes pictures of this size, depth and palette.
@@ -139,6 +170,41 @@ mod tests {
         let picture = Picture::from_colors(4, 4, EGA.colors().to_vec());
         let file = picture.to_png().expect("it has pixels");
         assert_eq!(Picture::from_png(Cursor::new(file)).ok(), Some(picture), "colours");
+    }
+
+    /// The bytes of a file of two pixels.
+    fn file(kind: ColorType, depth: BitDepth, data: &[u8]) -> Vec<u8> {
+        let mut file = vec![];
+        let mut encoder = Encoder::new(&mut file, 2, 1);
+        encoder.set_color(kind);
+        encoder.set_depth(depth);
+        if kind == ColorType::Indexed {
+            encoder.set_palette(vec![0, 0, 0, 9, 8, 7]);
+            encoder.set_trns(vec![0, 255]);
+        }
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(data).expect("pixels");
+        writer.finish().expect("an end");
+        file
+    }
+
+    #[test]
+    fn pictures_of_all_kinds_can_be_read() {
+        let white = [255; 3];
+        for (kind, depth, data, expected) in [
+            (ColorType::Grayscale, BitDepth::One, &[0b0100_0000][..], [[0; 3], white]),
+            (ColorType::Grayscale, BitDepth::Four, &[0x3f], [[0x33; 3], white]),
+            (ColorType::Grayscale, BitDepth::Eight, &[1, 254], [[1; 3], [254; 3]]),
+            (ColorType::Grayscale, BitDepth::Sixteen, &[1, 2, 254, 3], [[1; 3], [254; 3]]),
+            (ColorType::GrayscaleAlpha, BitDepth::Eight, &[10, 255, 10, 0], [[10; 3], white]),
+            (ColorType::Rgb, BitDepth::Sixteen, &[1, 9, 2, 9, 3, 9, 4, 9, 5, 9, 6, 9], [[1, 2, 3], [4, 5, 6]]),
+            (ColorType::Rgba, BitDepth::Eight, &[1, 2, 3, 255, 0, 100, 255, 51], [[1, 2, 3], [204, 224, 255]]),
+            (ColorType::Indexed, BitDepth::Eight, &[0, 1], [white, [9, 8, 7]]),
+        ] {
+            let picture = Picture::from_png(Cursor::new(file(kind, depth, data))).expect("a picture");
+            let expected = expected.map(|[r, g, b]| Rgb888::new(r, g, b));
+            assert_eq!(picture, Picture::from_colors(2, 1, expected.to_vec()), "{kind:?} of {depth:?} bits");
+        }
     }
 
     #[test]
