@@ -3,22 +3,16 @@
 //! `cargo run --release --example sprites` writes `sprites.png`; `-- --frames N --out FILE.gif` (or `.apng`) a film, `-- --window` shows
 //! it moving. The tiles and the sprites are small pictures of indices; index 0 of a sprite lets through what is under it.
 
-use std::{error::Error, fs, process::ExitCode};
+use std::{error::Error, process::ExitCode};
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use embedded_raster::{
-    buffer_bytes, fixed::types::I16F16, surface::Sheet, Affine, Angle, Bitmap, Canvas, Framebuffer, Index4, Palette,
-    Pictures,
+    fixed::types::I16F16, surface::Sheet, Affine, Angle, Bitmap, Canvas, Framebuffer, Index4, Palette, Pictures,
 };
-use embedded_raster_simulator::{film, finish, show, Picture, Shot};
-
-const USAGE: &str = "\
-usage: sprites [--frames N] [--out FILE.png|.apng|.gif] [--window]
-
---frames N  of the film: 1
---out FILE  what is written: sprites.png
---window    shows it moving, until Esc
-";
+use embedded_raster_simulator::{
+    desktop::{Desktop, Options, USAGE},
+    finish,
+};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 128;
@@ -73,51 +67,18 @@ fn main() -> ExitCode {
     finish("sprites", run(lexopt::Parser::from_env()))
 }
 
-fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
-    use lexopt::prelude::*;
-    let (mut frames, mut out, mut window) = (1_u16, "sprites.png".to_owned(), false);
-    while let Some(argument) = arguments.next()? {
-        match argument {
-            Long("frames") => frames = arguments.value()?.parse()?,
-            Long("out" | "output") => out = arguments.value()?.string()?,
-            Long("window") => window = true,
-            Short('h') | Long("help") => return Ok(USAGE.into()),
-            _ => return Err(argument.unexpected().into()),
-        }
+fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
+    match Options::parse("sprites", arguments)? {
+        Some(options) => Desktop::new("sprites", (WIDTH, HEIGHT), PALETTE)
+            .run(&options, |frame, _, time| draw(frame, time.frame).map_err(Into::into)),
+        None => Ok(format!("usage: sprites [--frames N] [--out FILE.png|.apng|.gif] [--window]\n\n{USAGE}")),
     }
-    let ram = buffer_bytes::<Index4>(WIDTH, HEIGHT);
-    if window {
-        let shot = |picture| Shot {
-            picture,
-            caption: format!("{COUNT} sprites"),
-            ram,
-            drawn: u64::from(WIDTH) * u64::from(HEIGHT),
-        };
-        let mut time = 0;
-        show::<Box<dyn Error>>("sprites", shot(draw(0)?), |_| {
-            time += 1;
-            Ok(Some(shot(draw(time)?)))
-        })?;
-        return Ok(String::new());
-    }
-    let next = |time| draw(time).map_err(|error| std::io::Error::other(error.to_string()));
-    match out.rsplit('.').next() {
-        Some("gif") => fs::write(&out, film::gif(frames, next)?)?,
-        Some("png") if frames == 1 => draw(0)?.write_png(&out)?,
-        Some("png" | "apng") => fs::write(&out, film::apng(frames, next)?)?,
-        _ => return Err(format!("{out}: a name that ends with .png, .apng or .gif is wanted").into()),
-    }
-    draw(0)?.show(100);
-    Ok(format!("{out}: {WIDTH} x {HEIGHT}, {COUNT} sprites, {ram} bytes of memory\n"))
 }
 
-/// The picture at a time, in frames.
-fn draw(time: u16) -> Result<Picture, embedded_raster::Error> {
-    let mut ram = [0; buffer_bytes::<Index4>(WIDTH, HEIGHT)];
-    let mut frame = Framebuffer::<Index4>::new(&mut ram, WIDTH, HEIGHT)?;
+/// Draws the picture at a time, in frames.
+fn draw(frame: &mut Framebuffer<'_, Index4>, time: i32) -> Result<(), embedded_raster::Error> {
     let (ground, actors) = (Bitmap::<Index4>::new(&TILES, 32, 8)?, Bitmap::<Index4>::new(&SPRITES, 32, 8)?);
     let (tiles, sprites) = (Sheet::new(&ground, 8, 8), Sheet::new(&actors, 8, 8));
-    let time = i32::from(time);
 
     // The ground goes by; a map without end, out of a formula.
     let (left, top) = (-time, -time / 2);
@@ -168,5 +129,5 @@ fn draw(time: u16) -> Result<Picture, embedded_raster::Error> {
             }
         }
     }
-    Ok(Picture::indexed(&frame, &PALETTE))
+    Ok(())
 }

@@ -2,7 +2,7 @@
 //!
 //! A [`Picture`] is a copy of a framebuffer: indices with their palette, or colours. It becomes a PNG
 //! ([`write_png`](Picture::write_png)), a preview in the terminal ([`preview`](Picture::preview)), a window ([`show`]), or
-//! one side of a comparison ([`difference`](Picture::difference)).
+//! one side of a comparison ([`difference`](Picture::difference)). [`run`] runs a whole program, frame by frame: see [`desktop`].
 //! ```text
 //!   framebuffer + palette  --->  Picture  --->  PNG, terminal, window, difference
 //! ```
@@ -25,6 +25,7 @@
 //! ```
 
 pub mod clock;
+pub mod desktop;
 mod difference;
 pub mod film;
 mod finish;
@@ -41,9 +42,10 @@ pub mod quantize;
 pub mod scanout;
 pub mod svg;
 pub mod teapot;
-mod window;
+pub mod window;
 pub mod world;
 
+pub use desktop::run;
 pub use difference::Difference;
 pub use finish::finish;
 pub use picture::{Picture, Pixels};
