@@ -1,7 +1,7 @@
 //! A picture of many colours in few: the nearest one, ordered dither in three sizes, and error diffusion in two ways.
 //!
 //! `cargo run --release --example dither` writes `dither.png`, six panels in the 16 colours of EGA, of a picture that it makes;
-//! `-- --input FILE.png` takes another one, `--colors 2` black and white, `--out FILE.png` names the file.
+//! `-- --input FILE.png` takes another one, `--palette auto:16` the best 16 colours of the picture, `--palette FILE` those of a file.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -10,25 +10,29 @@
     reason = "a picture that is made of light and shade, in floats"
 )]
 
-use std::{error::Error, process::ExitCode};
+use std::{error::Error, fs, process::ExitCode};
 
 use embedded_graphics_core::{
     geometry::Point,
-    pixelcolor::{Rgb888, RgbColor},
+    pixelcolor::{PixelColor, Rgb888, RgbColor},
 };
 use embedded_raster::{
     paint::Bayer,
     pixel::{Atkinson, ColorCube, FloydSteinberg, EGA},
-    Framebuffer, Index4, Palette, Surface,
+    Framebuffer, Index1, Index2, Index4, Index8, Palette, PixelFormat, Surface,
 };
-use embedded_raster_simulator::{finish, Picture};
+use embedded_raster_simulator::{finish, palettes, quantize, Picture};
 
 const USAGE: &str = "\
-usage: dither [--input FILE.png] [--colors 2|16] [--out FILE.png]
+usage: dither [--input FILE.png] [--palette ega|mono|auto:N|FILE] [--constant NAME] [--out FILE.png]
 
---input FILE.png  the picture: one that the program makes
---colors 2|16     black and white, or the colours of EGA: 16
---out FILE.png    what is written: dither.png
+--input FILE.png   the picture: one that the program makes
+--palette ega      the 16 colours of EGA
+--palette mono     black and white; --colors 2 is the same, --colors 16 is EGA
+--palette auto:N   the N colours, 2 to 256, that show the picture best
+--palette FILE     those of a file: .gpl, JASC .pal, .act or hexadecimal
+--constant NAME    prints the palette as a constant of a Rust program, too
+--out FILE.png     what is written: dither.png
 ";
 
 fn main() -> ExitCode {
@@ -37,11 +41,14 @@ fn main() -> ExitCode {
 
 fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     use lexopt::prelude::*;
-    let (mut input, mut colors, mut out) = (None, 16, "dither.png".to_owned());
+    let (mut input, mut source, mut constant) = (None, Source::Ega, None);
+    let mut out = "dither.png".to_owned();
     while let Some(argument) = arguments.next()? {
         match argument {
             Long("input") => input = Some(arguments.value()?.string()?),
-            Long("colors") => colors = arguments.value()?.parse_with(parse_colors)?,
+            Long("colors") => source = arguments.value()?.parse_with(parse_colors)?,
+            Long("palette") => source = arguments.value()?.parse_with(Source::parse)?,
+            Long("constant") => constant = Some(arguments.value()?.string()?),
             Long("out" | "output") => out = arguments.value()?.string()?,
             Short('h') | Long("help") => return Ok(USAGE.into()),
             _ => return Err(argument.unexpected().into()),
@@ -51,21 +58,65 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         Some(path) => Picture::read_png(&path).map_err(|error| format!("{path}: {error}"))?,
         None => ball(),
     };
-    let palette = if colors == 2 {
-        Palette::new([EGA.colors()[0], EGA.colors()[15]].repeat(8).try_into().expect("16"))
-    } else {
-        EGA
-    };
-    let sheet = panels(&picture, &palette)?;
+    let colors = source.colors(&picture)?;
+    let sheet = draw(&picture, &colors)?;
     sheet.write_png(&out)?;
     sheet.show(100);
-    Ok(format!("{out}: {} x {}, of {colors} colours\n", sheet.width(), sheet.height()))
+    let constant = constant.map_or(String::new(), |name| palettes::to_rust(&name, &colors));
+    Ok(format!("{constant}{out}: {} x {}, of {} colours\n", sheet.width(), sheet.height(), colors.len()))
 }
 
-fn parse_colors(text: &str) -> Result<usize, &'static str> {
+/// The panels, in as few bits as the colours need.
+fn draw(picture: &Picture, colors: &[Rgb888]) -> Result<Picture, Box<dyn Error>> {
+    match colors.len() {
+        0 => Err("the picture has no pixels".into()),
+        1..=2 => panels::<Index1, 2>(picture, colors),
+        3..=4 => panels::<Index2, 4>(picture, colors),
+        5..=16 => panels::<Index4, 16>(picture, colors),
+        _ => panels::<Index8, 256>(picture, colors),
+    }
+}
+
+/// Where the palette comes from.
+enum Source {
+    Ega,
+    Mono,
+    Auto(usize),
+    File(String),
+}
+
+impl Source {
+    fn parse(text: &str) -> Result<Self, &'static str> {
+        match text {
+            "ega" => Ok(Self::Ega),
+            "mono" => Ok(Self::Mono),
+            _ => match text.strip_prefix("auto:") {
+                Some(count) => {
+                    let count = count.parse().ok().filter(|count| (2..=256).contains(count));
+                    count.map(Self::Auto).ok_or("--palette auto:N takes 2 to 256")
+                }
+                None => Ok(Self::File(text.into())),
+            },
+        }
+    }
+
+    fn colors(&self, picture: &Picture) -> Result<Vec<Rgb888>, Box<dyn Error>> {
+        Ok(match self {
+            Self::Ega => EGA.colors().to_vec(),
+            Self::Mono => vec![Rgb888::BLACK, Rgb888::WHITE],
+            Self::Auto(count) => quantize::palette(picture, *count),
+            Self::File(path) => {
+                let file = fs::read(path).map_err(|error| format!("{path}: {error}"))?;
+                palettes::parse(&file).map_err(|error| format!("{path}: {error}"))?
+            }
+        })
+    }
+}
+
+fn parse_colors(text: &str) -> Result<Source, &'static str> {
     match text {
-        "2" => Ok(2),
-        "16" => Ok(16),
+        "2" => Ok(Source::Mono),
+        "16" => Ok(Source::Ega),
         _ => Err("--colors takes 2 or 16"),
     }
 }
@@ -88,24 +139,36 @@ fn ball() -> Picture {
     Picture::from_colors(96, 96, pixels.collect())
 }
 
-/// Six ways, in two rows.
-fn panels(picture: &Picture, palette: &Palette<Rgb888, 16>) -> Result<Picture, Box<dyn Error>> {
+/// How far thresholds move a level: the mean distance from a colour to the nearest other one, in the channel that differs most.
+fn spread(colors: &[Rgb888]) -> u8 {
+    let away = |a: &Rgb888, b: &Rgb888| a.r().abs_diff(b.r()).max(a.g().abs_diff(b.g())).max(a.b().abs_diff(b.b()));
+    let nearest = |a: &Rgb888| colors.iter().filter(|b| *b != a).map(|b| away(a, b)).min().unwrap_or(0);
+    let sum: usize = colors.iter().map(|color| usize::from(nearest(color))).sum();
+    u8::try_from(sum / colors.len().max(1)).unwrap_or(u8::MAX)
+}
+
+/// Six ways, in two rows, in indices of a palette of `N` entries; the first of the colours fills what is left of it.
+fn panels<C, const N: usize>(picture: &Picture, colors: &[Rgb888]) -> Result<Picture, Box<dyn Error>>
+where
+    C: PixelFormat<Color = C> + PixelColor + Into<u8>,
+{
+    let palette: Palette<Rgb888, N> =
+        Palette::new(std::array::from_fn(|index| *colors.get(index).unwrap_or(&colors[0])));
     let (width, height) = (u16::try_from(picture.width())?, u16::try_from(picture.height())?);
     let size = (width.checked_mul(3).ok_or("the picture is too wide")?, height.checked_mul(2).ok_or("too high")?);
-    let mut ram = vec![0; embedded_raster::buffer_bytes::<Index4>(size.0, size.1)];
-    let mut frame = Framebuffer::<Index4>::new(&mut ram[..], size.0, size.1)?;
-    let cube = ColorCube::<32_768>::new(palette);
+    let mut ram = vec![0; embedded_raster::buffer_bytes::<C>(size.0, size.1)];
+    let mut frame = Framebuffer::<C>::new(&mut ram[..], size.0, size.1)?;
+    let cube = ColorCube::<32_768>::new(&palette);
     let nearest = |[r, g, b]: [u8; 3]| {
         let index = cube.nearest(Rgb888::new(r, g, b));
         let shown = palette.get(index).unwrap_or_default();
-        (Index4::new(index), [shown.r(), shown.g(), shown.b()])
+        (C::unpack(index.into()), [shown.r(), shown.g(), shown.b()])
     };
     let (mut row, mut rows) = (vec![[0; 3]; width.into()], vec![[[0; 3]; 2]; width.into()]);
     let mut floyd_steinberg = FloydSteinberg::new(&mut row);
     let mut atkinson = Atkinson::new(&mut rows);
-    // How far thresholds move a level: half of the distance between the colours of the palette, about.
-    let spread = if palette.colors()[1] == palette.colors()[15] { 255 } else { 96 };
-    let mut ways: [&mut dyn FnMut([u8; 3], Point) -> Index4; 6] = [
+    let spread = spread(colors);
+    let mut ways: [&mut dyn FnMut([u8; 3], Point) -> C; 6] = [
         &mut |rgb, _| nearest(rgb).0,
         &mut |rgb, at| nearest(rgb.map(|level| Bayer::<2>::moved(level, spread, at))).0,
         &mut |rgb, at| nearest(rgb.map(|level| Bayer::<4>::moved(level, spread, at))).0,
@@ -121,5 +184,86 @@ fn panels(picture: &Picture, palette: &Palette<Rgb888, 16>) -> Result<Picture, B
             frame.set(Point::new(left + x, top + y), index);
         }
     }
-    Ok(Picture::indexed(&frame, palette))
+    Ok(Picture::indexed(&frame, &palette))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Six panels of the picture that the program makes.
+    fn sheet(source: &str) -> Picture {
+        let colors = Source::parse(source).expect("a palette").colors(&ball()).expect("colours");
+        draw(&ball(), &colors).expect("a picture")
+    }
+
+    /// How far the means of blocks of 8 x 8 pixels are from those of the picture: what the eye sees from afar.
+    fn mean_error(sheet: &Picture, panel: usize) -> f64 {
+        let picture = ball();
+        let mean = |picture: &Picture, left: usize, top: usize| {
+            let all = (0..64).filter_map(|n| picture.color(left + n % 8, top + n / 8));
+            let sum =
+                all.fold([0_u32; 3], |[r, g, b], c| [r + u32::from(c.r()), g + u32::from(c.g()), b + u32::from(c.b())]);
+            sum.map(|sum| f64::from(sum) / 64.0)
+        };
+        let (left, top) = (panel % 3 * 96, panel / 3 * 96);
+        let blocks = (0..144).map(|n| (n % 12 * 8, n / 12 * 8));
+        let errors = blocks.map(|(x, y)| {
+            let (a, b) = (mean(&picture, x, y), mean(sheet, left + x, top + y));
+            a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>()
+        });
+        (errors.sum::<f64>() / 144.0 / 3.0).sqrt()
+    }
+
+    #[test]
+    fn colors_of_the_picture_show_it_better() {
+        let (ega, own) = (sheet("ega"), sheet("auto:16"));
+        for panel in [0, 3, 4, 5] {
+            let (ega, own) = (mean_error(&ega, panel), mean_error(&own, panel));
+            assert!(own < ega, "panel {panel}: {own} against {ega}");
+        }
+        let errors = [0, 3, 4].map(|panel| mean_error(&own, panel));
+        assert!(errors[1] < errors[0] && errors[2] < errors[0], "dither shows more: {errors:?}");
+    }
+
+    #[test]
+    fn a_palette_has_the_depth_that_it_needs() {
+        for (source, bits) in [("mono", 1), ("auto:3", 2), ("auto:5", 4), ("ega", 4), ("auto:17", 8), ("auto:256", 8)] {
+            let sheet = sheet(source);
+            let embedded_raster_simulator::Pixels::Indexed { bits: found, .. } = sheet.pixels() else {
+                panic!("not indexed")
+            };
+            assert_eq!(*found, bits, "{source}");
+        }
+    }
+
+    #[test]
+    fn palettes_come_from_files_and_go_to_programs() {
+        let [file, out] = ["gpl", "png"].map(|end| {
+            let path = std::env::temp_dir().join(format!("dither-file-{}.{end}", std::process::id()));
+            path.to_str().expect("a plain name").to_owned()
+        });
+        fs::write(&file, "GIMP Palette\n#\n0 0 0 night\n255 240 200 day\n").expect("a file");
+        let arguments = ["--palette", &file, "--constant", "DAY", "--out", &out];
+        let said = run(lexopt::Parser::from_args(arguments)).expect("a picture");
+        assert!(said.starts_with("pub const DAY: Palette<Rgb888, 2> = ") && said.contains("(255, 240, 200)"), "{said}");
+        for file in [file, out] {
+            fs::remove_file(file).expect("it is there");
+        }
+    }
+
+    #[test]
+    fn wrong_arguments_are_told_in_a_line() {
+        for (arguments, expected) in [
+            ("--palette auto:1", r#"cannot parse argument "auto:1": --palette auto:N takes 2 to 256"#),
+            ("--palette no-such.gpl", "no-such.gpl: "),
+            ("--palette Cargo.toml", "Cargo.toml: line 1 is no colour"),
+            ("--colors 3", r#"cannot parse argument "3": --colors takes 2 or 16"#),
+            ("--input Cargo.toml", "Cargo.toml: "),
+        ] {
+            let error = run(lexopt::Parser::from_args(arguments.split(' '))).map(|said| said.len());
+            let error = error.expect_err(arguments).to_string();
+            assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");
+        }
+    }
 }
