@@ -924,7 +924,18 @@ pub trait Canvas: Surface {
 
     /// Copies the pixels of `area` so that the top left one falls on `to`. Both areas may overlap. Pixels that nothing is copied
     /// to keep their colours; pixels that lie outside of the window, before or after, are left out. To scroll up by one row,
-    /// move the whole window to `Point::new(0, -1)`.
+    /// move the whole window to `Point::new(0, -1)`. A [view](crate::Frame::view) of the region that scrolls keeps what is around it.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, Rect, Surface};
+    /// let mut ram = *b"+--++aa++bb++cc++--+";
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 4, 5)?;
+    /// let mut list = frame.view(Rect::new(1, 1, 3, 4));
+    /// list.move_area(list.window(), (0, -1));
+    /// list.fill_rectangle(Rect::new(0, 2, 2, 3), Gray8::new(b'd'));
+    /// assert_eq!(&ram, b"+--++bb++cc++dd++--+");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
     #[doc(alias("scroll", "copy_rect", "copyRect"))]
     #[inline]
     fn move_area(&mut self, area: impl Into<Rect>, to: impl Into<Point>)

@@ -65,8 +65,17 @@ impl<M: AsRef<[u8]>, L: Layout> Frame<M, L> {
         Self::with_stride(memory, width, height, L::row_bytes(width))
     }
 
-    /// A screen whose rows are `stride` bytes apart.
-    ///
+    /// A screen whose rows are `stride` bytes apart: for a controller that wants rows to begin at certain addresses, or a part of a
+    /// wider picture. Nothing that is drawn touches what lies between the rows.
+    /// ```
+    /// use embedded_raster::{Canvas, Framebuffer, Index8, Rect};
+    /// let mut ram = *b"....----....----....----";
+    /// let mut frame = Framebuffer::<Index8>::with_stride(&mut ram, 4, 3, 8)?;
+    /// frame.clear(Index8::new(b'o'));
+    /// frame.fill_rectangle(Rect::new(1, 1, 9, 9), Index8::new(b'#'));
+    /// assert_eq!(&ram, b"oooo----o###----o###----");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
     /// # Errors
     /// [`BufferError::StrideTooSmall`], [`BufferError::TooSmall`]. Bytes after the pixels of the last row are not needed.
     #[inline]
@@ -290,6 +299,24 @@ impl<L: Layout> Frame<&mut [u8], L> {
     /// The part of it in `area`, as a surface of its own whose (0, 0) is the top left corner of `area`.
     ///
     /// Its size is that of `area`, up to 65,535 each way. Where `area` reaches beyond this surface, pixels are clipped.
+    ///
+    /// Views and [clips](Self::clipped) are values that borrow what they are made of. One inside of the other is a stack of viewports,
+    /// without pushing and popping: when the inner one is gone, the outer one is there as it was.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Gray8;
+    /// use embedded_raster::{Canvas, Framebuffer, Rect};
+    /// let mut ram = [b'.'; 8 * 4];
+    /// let mut frame = Framebuffer::<Gray8>::new(&mut ram, 8, 4)?;
+    /// let mut window = frame.view(Rect::new(1, 1, 7, 4));
+    /// {
+    ///     let mut list = window.clipped(Rect::new(1, 0, 5, 2)); // the (0, 0) of the window, fewer pixels
+    ///     list.fill_window(Gray8::new(b'-'));
+    ///     list.view(Rect::new(3, 1, 9, 9)).fill_window(Gray8::new(b'#')); // nothing outside of the list
+    /// }
+    /// window.draw_line((0, 0), (0, 9), Gray8::new(b'|')); // outside of the list, inside of the window
+    /// assert_eq!(&ram, b".........|----...|--##...|......");
+    /// # Ok::<(), embedded_raster::Error>(())
+    /// ```
     #[must_use]
     pub fn view(&mut self, area: impl Into<Rect>) -> Frame<&mut [u8], L> {
         self.as_mut().seen_from(area.into())
