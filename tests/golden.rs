@@ -3,6 +3,8 @@
 //! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
+#[path = "golden/letters.rs"]
+mod letters;
 #[path = "golden/compare.rs"]
 mod pictures;
 
