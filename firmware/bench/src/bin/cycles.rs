@@ -43,7 +43,11 @@ macro_rules! check {
 fn main() {
     /// What the loop costs on Cortex-M4, and on Cortex-M0+.
     const fn on(m4: u32, m0: u32) -> u32 {
-        if cfg!(target_feature = "dsp") { m4 } else { m0 }
+        if cfg!(target_feature = "dsp") {
+            m4
+        } else {
+            m0
+        }
     }
     /// Cycles of `subs` and of `bne` that is taken.
     const TURN: u32 = on(1 + 3, 1 + 2);

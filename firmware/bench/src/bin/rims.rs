@@ -11,8 +11,8 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::paint::{Alpha, Brush, Cover, Paint};
 use embedded_raster::raster::{coverage, rectangle};
 use embedded_raster::{
-    Antialias, Canvas, ClippedSpan, CoverageSlot, EdgeSlot, Ellipse, FillRule, Framebuffer, Path, PathSegment, PointFx, Rect,
-    Sink, Solid, Span,
+    Antialias, Canvas, ClippedSpan, CoverageSlot, EdgeSlot, Ellipse, FillRule, Framebuffer, Path, PathSegment, PointFx,
+    Rect, Sink, Solid, Span,
 };
 use textbook::scene as triangles;
 
@@ -80,7 +80,9 @@ fn main() {
     let pictures = bench::scene::Pictures::new(bench::scene::Format::Rgb565);
     for workload in &scene.workloads(&pictures) {
         match (&workload.work, workload.name) {
-            (Work::Triangles(list), "triangle-20000") => fill_triangles("triangle of 20,000 px", list, &mut memory, &mut scratch),
+            (Work::Triangles(list), "triangle-20000") => {
+                fill_triangles("triangle of 20,000 px", list, &mut memory, &mut scratch)
+            }
             (Work::Lines(list), "lines-long" | "lines-12") => lines(workload.name, list, &mut memory, &mut scratch),
             (Work::Discs(list), "disc-101") => disc(Ellipse::in_box(list[0].sides), &mut memory, &mut scratch),
             (Work::Blob(blob), _) => path(blob.curves, &mut memory, &mut scratch),
@@ -198,7 +200,8 @@ fn bake(scratch: &mut Scratch) -> [u8; (GLYPH.0 * GLYPH.1) as usize] {
     }
     let ring = |cy: i32, outer: i32, inner: i32| {
         let at = |r: i32, i: usize| {
-            let way = [(256, 0), (181, 181), (0, 256), (-181, 181), (-256, 0), (-181, -181), (0, -256), (181, -181)][i % 8];
+            let way =
+                [(256, 0), (181, 181), (0, 256), (-181, 181), (-256, 0), (-181, -181), (0, -256), (181, -181)][i % 8];
             PointFx::from_bits(7 * 256 + way.0 * r / 16, cy * 16 + way.1 * r / 16)
         };
         let place = move |i: usize| if i < 8 { at(outer, i) } else { at(inner, 15 - i) };

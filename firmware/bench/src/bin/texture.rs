@@ -9,7 +9,7 @@ use board::counter::{count, Count};
 use board::{crc32, println, stack, CHIP};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::geom::{Fast, Perspective, Runs, Varying};
-use embedded_raster::surface::texture::{Clamp, Mirror, AddressMode, Repeat, Tile};
+use embedded_raster::surface::texture::{AddressMode, Clamp, Mirror, Repeat, Tile};
 use embedded_raster::surface::{Counter, Rows, Texture};
 use embedded_raster::{Bitmap, Canvas, Framebuffer, PixelFormat, PointFx, Rect};
 use fixed::types::I16F16;

@@ -4,8 +4,8 @@
 
 use core::hint::black_box;
 
-use embedded_raster::text::{Style, FONT_6X10};
 use embedded_graphics::pixelcolor::Rgb565;
+use embedded_raster::text::{Style, FONT_6X10};
 
 board::entry!(main);
 
