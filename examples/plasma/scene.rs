@@ -18,7 +18,7 @@ pub const WIDTH: u16 = 320;
 pub const HEIGHT: u16 = 240;
 
 /// How many places the palette turns from frame to frame.
-const STEP: usize = 3;
+pub const STEP: usize = 3;
 
 /// Sines of 256 angles of a turn, times 127.
 #[derive(Clone, Debug)]

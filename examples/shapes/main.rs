@@ -13,17 +13,13 @@ use embedded_raster::{
     Index4, Index8, Palette, PixelFormat,
 };
 use embedded_raster_simulator::{finish, Picture};
-use page::{Ink, EDGES, HEIGHT, WIDTH};
+use page::{Ink, COLORS, EDGES, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
 usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS] [--output FILE.png]
 
 --output FILE.png  where the picture goes; shapes.png unless told
 --band ROWS        draws in bands of that many rows: the same pixels with less memory, but for what reads the page (flood fills)";
-
-/// Paper and eight colours; 1 and 2 bits have fewer.
-const COLORS: [u32; 9] =
-    [0xf6_f1_e3, 0x1d_33_4a, 0xd1_49_5b, 0xed_ae_49, 0x66_a1_82, 0x2e_6f_95, 0x9b_5d_e5, 0xf1_5b_b5, 0x6b_70_5c];
 
 fn main() -> ExitCode {
     finish("shapes", run(lexopt::Parser::from_env()))
@@ -98,12 +94,7 @@ fn index<C: PixelFormat<Color = C>>(ink: Ink) -> C {
 }
 
 fn color<C: From<Rgb888>>(ink: Ink) -> C {
-    rgb(COLORS[usize::from(ink)]).into()
-}
-
-const fn rgb(bits: u32) -> Rgb888 {
-    let [_, r, g, b] = bits.to_be_bytes();
-    Rgb888::new(r, g, b)
+    COLORS[usize::from(ink)].into()
 }
 
 /// At `2^bits` indices, through a palette of so many colours.
@@ -112,7 +103,7 @@ where
     C: PixelFormat<Color = C> + embedded_graphics::pixelcolor::PixelColor + Into<u8>,
 {
     let mut memory = drawn(band, index::<C>)?;
-    let colors: [Rgb888; N] = std::array::from_fn(|i| rgb(COLORS.get(i).copied().unwrap_or_default()));
+    let colors: [Rgb888; N] = std::array::from_fn(|i| COLORS.get(i).copied().unwrap_or_default());
     Ok(Picture::indexed(&Framebuffer::<C>::new(&mut memory, WIDTH, HEIGHT)?, &Palette::new(colors)))
 }
 

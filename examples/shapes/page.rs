@@ -7,7 +7,7 @@
     reason = "the numbers of a page are small; firmwares have this page as a module of a library"
 )]
 
-use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use embedded_raster::{
     geom::{delaunay, triangulate, triangulate::SideSlot},
     px,
@@ -25,6 +25,19 @@ pub const WIDTH: u16 = 320;
 pub const HEIGHT: u16 = 240;
 /// Edges that the table of the page needs at most.
 pub const EDGES: usize = 96;
+
+/// Paper and eight colours, as the page is shown; 1 and 2 bits have fewer.
+pub const COLORS: [Rgb888; 9] = [
+    Rgb888::new(0xf6, 0xf1, 0xe3),
+    Rgb888::new(0x1d, 0x33, 0x4a),
+    Rgb888::new(0xd1, 0x49, 0x5b),
+    Rgb888::new(0xed, 0xae, 0x49),
+    Rgb888::new(0x66, 0xa1, 0x82),
+    Rgb888::new(0x2e, 0x6f, 0x95),
+    Rgb888::new(0x9b, 0x5d, 0xe5),
+    Rgb888::new(0xf1, 0x5b, 0xb5),
+    Rgb888::new(0x6b, 0x70, 0x5c),
+];
 
 /// Columns and rows of a tile.
 const TILE: (i32, i32) = (64, 60);

@@ -1,6 +1,9 @@
 //! Text in bitmap fonts: transparent and opaque, every alignment, tabs, a font of one's own, and a screen that is turned.
 //!
-//! `cargo run --release --example text` writes `text.png` and shows it in the terminal; `-- --help` tells the rest.
+//! `cargo run --release --example text` writes `text.png` and shows it in the terminal; `-- --help` tells the rest. What is drawn stands in
+//! `scene.rs`.
+
+mod scene;
 
 use std::{error::Error, fs, process::ExitCode};
 
@@ -8,10 +11,11 @@ use embedded_raster::{
     buffer_bytes,
     pixel::EGA,
     surface::{Turn, Turned},
-    text::{Font, Horizontal, Style, Vertical, FONT_6X10, FONT_8X13},
-    Canvas, Framebuffer, Index4, Rect, Surface,
+    text::{Font, FONT_8X13},
+    Framebuffer, Index4, Rect,
 };
 use embedded_raster_simulator::{finish, Picture};
+use scene::{page, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
 usage: text [--font FILE.erf] [--text TEXT] [--turn 0|90|180|270] [--mirror] [--band ROWS] [--out FILE.png]
@@ -23,10 +27,6 @@ usage: text [--font FILE.erf] [--text TEXT] [--turn 0|90|180|270] [--mirror] [--
 --band ROWS      draws so many rows at a time: the same picture
 --out FILE.png   what is written: text.png
 ";
-
-/// Of the page, upright.
-const WIDTH: u16 = 240;
-const HEIGHT: u16 = 160;
 
 fn main() -> ExitCode {
     finish("text", run(lexopt::Parser::from_env()))
@@ -41,35 +41,6 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     picture.write_png(&options.out)?;
     picture.show(120);
     Ok(format!("{}: {} x {}\n", options.out, picture.width(), picture.height()))
-}
-
-/// The page: any surface will do.
-fn page(on: &mut impl Surface<Color = Index4>, font: &Font<'_>, text: &str) {
-    let color = Index4::new;
-    let small = Style::new(&FONT_6X10, color(7));
-    on.fill_window(color(1));
-
-    // Each corner and side holds a line that is aligned to it.
-    let (right, bottom) = (i32::from(WIDTH) - 1, i32::from(HEIGHT) - 1);
-    let columns = [(0, Horizontal::Left), (right / 2, Horizontal::Center), (right, Horizontal::Right)];
-    for (x, horizontal) in columns {
-        small.horizontal(horizontal).vertical(Vertical::Top).draw(on, (x, 0), "top");
-        small.horizontal(horizontal).vertical(Vertical::Bottom).draw(on, (x, bottom), "bottom");
-    }
-
-    // A box around a text: as large as the text says that it is.
-    let label = Style::new(font, color(0)).opaque(color(14)).horizontal(Horizontal::Center).vertical(Vertical::Middle);
-    let at = (right / 2, 44);
-    on.draw_rectangle(label.bounds(at, text).inset(-3), color(12));
-    label.draw(on, at, text);
-
-    // Columns by tabs, lines further apart than the font asks for.
-    let table = Style::new(&FONT_6X10, color(11)).line_height(12).tab(60);
-    table.draw(on, (10, 92), "\tmin\tmax\ntemp.\t-4 °C\t31 °C\nlength\t2 µm\t9 µm");
-    on.fill_rectangle(Rect::new(10, 95, 200, 96), color(8));
-
-    // A character that the font lacks.
-    small.color(color(10)).horizontal(Horizontal::Center).draw(on, (right / 2, 134), "one the font lacks: \u{1f600}");
 }
 
 struct Options {
