@@ -135,16 +135,6 @@ const ROUNDS: bool = !COMPACT;
 #[inline(always)]
 fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
     let per_byte = (8 / I::BITS) as usize;
-    let index = |byte: u8, i: usize| low_u8(rows::packed::nth::<I>(byte, i));
-    // Plain indices: the counters of `enumerate` have overflow checks, and the set-up of `zip` divides.
-    let put = |places: &mut [u8], byte: u8| {
-        for i in 0..per_byte {
-            let at = i.wrapping_mul(N);
-            if let Some(place) = places.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
-                *place = pixel(index(byte, i));
-            }
-        }
-    };
     // Sixteen pixels to a round. What is left over is shorter, and may end within a byte.
     let (bytes_per_round, size) = (2 * I::BITS as usize, N * per_byte);
     let rounds = if ROUNDS { (indices.len() / bytes_per_round).min(out.len() / (16 * N)) } else { 0 };
@@ -156,7 +146,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             for i in 0..bytes_per_round {
                 let at = i.wrapping_mul(size);
                 if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
-                    put(places, byte);
+                    put::<I, N>(places, byte, &pixel);
                 }
                 // Without this the compiler loads all indices first, and there are not enough registers for them.
                 if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
@@ -165,8 +155,26 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     }
-    for (places, &byte) in out.chunks_mut(N * per_byte).zip(indices) {
-        put(places, byte);
+    expand_rest::<I, N>(indices, out, pixel);
+}
+
+/// The same byte by byte.
+#[inline(always)]
+fn expand_rest<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
+    for (places, &byte) in out.chunks_mut(N * (8 / I::BITS) as usize).zip(indices) {
+        put::<I, N>(places, byte, &pixel);
+    }
+}
+
+/// The pixels of a byte of indices, as many as there are places for.
+#[inline(always)]
+fn put<I: PixelFormat, const N: usize>(places: &mut [u8], byte: u8, pixel: &impl Fn(u8) -> [u8; N]) {
+    // Plain indices: the counters of `enumerate` have overflow checks, and the set-up of `zip` divides.
+    for i in 0..(8 / I::BITS) as usize {
+        let at = i.wrapping_mul(N);
+        if let Some(place) = places.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+            *place = pixel(low_u8(rows::packed::nth::<I>(byte, i)));
+        }
     }
 }
 
@@ -194,30 +202,34 @@ impl<C: Channels, const N: usize> Palette<C, N> {
 /// Whether indices of 4 bits are taken out of words, and colours stored two at a time: where words lie at any address.
 const BY_WORDS: bool = UNALIGNED && !COMPACT;
 
-/// Pixels of 16 bits out of 4-bit indices, sixteen to a round. The table has them as they are stored, so that nothing is converted at a
+/// Pixels of 16 bits out of 4-bit indices, eight to a round. The table has them as they are stored, so that nothing is converted at a
 /// pixel. It takes 16 conversions, which a row of a screen has back many times.
+///
+/// Four indices are taken out of a word before their colours are looked up: loads that follow each other overlap on Cortex-M4, and none
+/// waits for an address that was computed just before it.
 fn expand_words<I: PixelFormat>(indices: &[u8], out: &mut [u8], table: &[u16; 16]) {
     let color = |index: u8| table.get(usize::from(index & 15)).copied().unwrap_or_default();
-    let nth = |byte: u8, i: usize| u32::from(color(low_u8(rows::packed::nth::<I>(byte, i))));
-    let rounds = (indices.len() / 8).min(out.len() / 32);
-    let indices = indices.split_at_checked(rounds.wrapping_mul(8));
-    let out = out.split_at_mut_checked(rounds.wrapping_mul(32));
+    let rounds = (indices.len() / 4).min(out.len() / 16);
+    let indices = indices.split_at_checked(rounds.wrapping_mul(4));
+    let out = out.split_at_mut_checked(rounds.wrapping_mul(16));
     let (Some((all_bytes, indices)), Some((all_places, out))) = (indices, out) else { return };
-    for (bytes, round) in all_bytes.chunks_exact(8).zip(all_places.chunks_exact_mut(32)) {
-        let (Some(first), Some(second)) = (bytes.first_chunk(), bytes.last_chunk()) else { continue };
-        for (word, half) in [first, second].into_iter().zip(round.chunks_exact_mut(16)) {
-            let word = u32::from_le_bytes(*word);
-            for i in 0..4_u8 {
-                let (byte, at) = (low_u8(word >> (8 * i)), 4 * usize::from(i));
-                let pair = nth(byte, 0) | nth(byte, 1) << 16;
-                if let Some(place) = half.get_mut(at..at.wrapping_add(4)).and_then(<[u8]>::first_chunk_mut) {
+    for (bytes, round) in all_bytes.chunks_exact(4).zip(all_places.chunks_exact_mut(16)) {
+        let Some(bytes) = bytes.first_chunk() else { continue };
+        let word = u32::from_le_bytes(*bytes);
+        for (half, four) in [word, word >> 16].into_iter().zip(round.chunks_exact_mut(8)) {
+            let [first, second] = [low_u8(half), low_u8(half >> 8)];
+            let places = [(first, 0), (first, 1), (second, 0), (second, 1)];
+            let [a, b, c, d] = places.map(|(byte, i)| low_u8(rows::packed::nth::<I>(byte, i)));
+            let [a, b, c, d] = [a, b, c, d].map(|index| u32::from(color(index)));
+            for (pair, place) in [a | b << 16, c | d << 16].into_iter().zip(four.chunks_exact_mut(4)) {
+                if let Some(place) = place.first_chunk_mut() {
                     *place = pair.to_le_bytes();
                 }
-                keep_order();
             }
+            keep_order();
         }
     }
-    expand::<I, 2>(indices, out, |index| color(index).to_le_bytes());
+    expand_rest::<I, 2>(indices, out, |index| color(index).to_le_bytes());
 }
 
 impl<C: RgbColor, const N: usize> Palette<C, N> {

@@ -55,6 +55,8 @@ pub struct Engine<F> {
     pub expand: Option<fn(&mut F, &Indexed<'_>)>,
     /// 4-bit indices through a table, as RGB565 with the high byte first.
     pub expand_pairs: Option<fn(&mut F, &Indexed<'_>)>,
+    /// The same, row by row.
+    pub expand_rows: Option<fn(&mut F, &Indexed<'_>)>,
     /// Text of embedded-graphics.
     pub text: Option<fn(&mut F, &[Label<'_>])>,
 }
@@ -86,6 +88,7 @@ impl<F> Engine<F> {
             blit_key: None,
             expand: None,
             expand_pairs: None,
+            expand_rows: None,
             text: None,
         }
     }
@@ -112,6 +115,7 @@ impl<F> Engine<F> {
             Work::BlitKey(sprite) => self.blit_key?(frame, sprite),
             Work::Expand(indexed) => self.expand?(frame, indexed),
             Work::ExpandPairs(indexed) => self.expand_pairs?(frame, indexed),
+            Work::ExpandRows(indexed) => self.expand_rows?(frame, indexed),
             Work::Text(labels) => self.text?(frame, labels),
         }
         Some(())

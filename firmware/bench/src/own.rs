@@ -55,6 +55,7 @@ pub const RGB565: Engine<Frame<Rgb565>> = {
     let mut engine = engine(Format::Rgb565);
     engine.expand = Some(expand);
     engine.expand_pairs = Some(expand_pairs);
+    engine.expand_rows = Some(expand_rows);
     engine
 };
 /// At 8 bits.
@@ -231,8 +232,19 @@ fn expand(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
     palette.expand::<Index8, Rgb565>(indexed.indices, &mut frame.memory);
 }
 
+/// The first sixteen colours.
+fn sixteen(indexed: &Indexed<'_>) -> Palette<Rgb565, 16> {
+    let colors = *indexed.palette.first_chunk().unwrap();
+    Palette::new(colors.map(|bits| Rgb565::from(RawU16::new(bits))))
+}
+
 fn expand_pairs(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
-    let colors = *indexed.palette.first_chunk::<16>().unwrap();
-    let palette = Palette::new(colors.map(|bits| Rgb565::from(RawU16::new(bits))));
-    palette.expand::<Index4, Be<Rgb565>>(&indexed.indices[..WIDTH * HEIGHT / 2], &mut frame.memory);
+    let indices = &indexed.indices[..WIDTH * HEIGHT / 2];
+    sixteen(indexed).expand::<Index4, Be<Rgb565>>(indices, &mut frame.memory);
+}
+
+fn expand_rows(frame: &mut Frame<Rgb565>, indexed: &Indexed<'_>) {
+    let palette = sixteen(indexed);
+    let rows = frame.memory.chunks_exact_mut(2 * WIDTH).zip(indexed.indices.chunks_exact(WIDTH / 2));
+    rows.for_each(|(row, indices)| palette.expand::<Index4, Be<Rgb565>>(indices, row));
 }

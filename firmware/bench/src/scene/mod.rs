@@ -210,6 +210,8 @@ pub enum Work<'a> {
     Expand(Indexed<'a>),
     /// Indices of four bits, two to a byte, to colours as a display wants them.
     ExpandPairs(Indexed<'a>),
+    /// The same, row by row, as a display is sent them.
+    ExpandRows(Indexed<'a>),
     /// Text.
     Text(&'a [Label<'a>]),
 }
@@ -257,7 +259,7 @@ pub struct Scene {
 
 impl Scene {
     /// Number of workloads.
-    pub const LEN: usize = 30;
+    pub const LEN: usize = 31;
 
     /// Makes all data, the same each time.
     pub fn new() -> Self {
@@ -326,6 +328,7 @@ impl Scene {
             ("blit-key-64", Work::BlitKey(sprite())),
             ("expand-8bit", Work::Expand(pictures.indexed())),
             ("expand-4bit", Work::ExpandPairs(pictures.indexed())),
+            ("expand-4bit-rows", Work::ExpandRows(pictures.indexed())),
             ("text", Work::Text(&self.text)),
             ("text-opaque", Work::Text(&self.opaque_text)),
         ]
@@ -345,6 +348,7 @@ impl Work<'_> {
         match self {
             Self::Clear(_) | Self::Polygon(_) | Self::Blob(_) | Self::Track(_) => 1,
             Self::Expand(_) | Self::ExpandPairs(_) => 1,
+            Self::ExpandRows(_) => HEIGHT,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => rects.len(),
             Self::Discs(boxes) | Self::Circles(boxes) | Self::Rounded(boxes) => boxes.len(),
             Self::Flood(_) => 2,
@@ -359,7 +363,7 @@ impl Work<'_> {
     /// How many pixels are drawn; see [`Workload::pixels`].
     fn pixels(&self) -> u32 {
         match self {
-            Self::Clear(_) | Self::Expand(_) | Self::ExpandPairs(_) => (WIDTH * HEIGHT) as u32,
+            Self::Clear(_) | Self::Expand(_) | Self::ExpandPairs(_) | Self::ExpandRows(_) => (WIDTH * HEIGHT) as u32,
             Self::Rects(rects) | Self::Rows(rects) | Self::Columns(rects) => {
                 rects.iter().map(|r| r.area.size.width * r.area.size.height).sum()
             }
