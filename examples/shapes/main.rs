@@ -3,7 +3,11 @@
 //! `cargo run --release --example shapes` writes `shapes.png` and shows it in the terminal; `-- --help` tells the rest. What is
 //! drawn stands in `page.rs`, which chips draw too.
 
+mod hatched;
 mod page;
+#[cfg(test)]
+#[path = "../../tests/golden/compare.rs"]
+mod pictures;
 
 use std::{error::Error, process::ExitCode};
 
@@ -39,10 +43,10 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         }
     }
     let picture = match bits {
-        1 => indexed::<Index1, 2>(band)?,
-        2 => indexed::<Index2, 4>(band)?,
-        4 => indexed::<Index4, 16>(band)?,
-        8 => indexed::<Index8, 256>(band)?,
+        1 => indexed::<Index1, 2>(drawn_by(band, hatched::draw, hatched::pour)?)?,
+        2 => indexed::<Index2, 4>(drawn(band, index::<Index2>)?)?,
+        4 => indexed::<Index4, 16>(drawn(band, index::<Index4>)?)?,
+        8 => indexed::<Index8, 256>(drawn(band, index::<Index8>)?)?,
         16 => Picture::of(&Framebuffer::<Rgb565>::new(&mut drawn(band, color::<Rgb565>)?, WIDTH, HEIGHT)?),
         24 => Picture::of(&Framebuffer::<Rgb888>::new(&mut drawn(band, color::<Rgb888>)?, WIDTH, HEIGHT)?),
         _ => Picture::of(&Framebuffer::<Xrgb8888>::new(&mut drawn(band, color::<Xrgb8888>)?, WIDTH, HEIGHT)?),
@@ -63,17 +67,26 @@ fn parse_rows(text: &str) -> Result<u16, &'static str> {
     text.parse().ok().filter(|&rows| rows > 0).ok_or("--band takes rows from 1 to 65535")
 }
 
-/// The bytes of the page; drawn in bands, they are put together as a display would.
+/// The bytes of the page in colours.
 fn drawn<C>(band: Option<u16>, ink: impl Fn(Ink) -> C) -> Result<Vec<u8>, embedded_raster::Error>
 where
     C: PixelFormat<Color = C>,
 {
+    drawn_by::<C>(band, |page, table| page::draw(page, table, &ink), |page, table| page::pour(page, table, &ink))
+}
+
+/// The bytes of the page; drawn in bands, they are put together as a display would.
+fn drawn_by<C: PixelFormat>(
+    band: Option<u16>,
+    draw: impl Fn(&mut Framebuffer<'_, C>, &mut [EdgeSlot]) -> Result<(), embedded_raster::Error>,
+    pour: impl Fn(&mut Framebuffer<'_, C>, &mut [FloodSlot]) -> Result<(), embedded_raster::Error>,
+) -> Result<Vec<u8>, embedded_raster::Error> {
     let mut table = [EdgeSlot::EMPTY; EDGES];
     let mut screen = vec![0; buffer_bytes::<C>(WIDTH, HEIGHT)];
     let Some(rows) = band else {
         let mut frame = Framebuffer::<C>::new(&mut screen, WIDTH, HEIGHT)?;
-        page::draw(&mut frame, &mut table, &ink)?;
-        page::pour(&mut frame, &mut [FloodSlot::EMPTY; 16], &ink)?;
+        draw(&mut frame, &mut table)?;
+        pour(&mut frame, &mut [FloodSlot::EMPTY; 16])?;
         return Ok(screen);
     };
     let mut ram = vec![0; buffer_bytes::<C>(WIDTH, rows)];
@@ -81,7 +94,7 @@ where
     for (start, part) in (0..HEIGHT).step_by(rows.into()).zip(screen.chunks_mut(bytes)) {
         let end = HEIGHT.min(start.saturating_add(rows));
         let mut frame = Framebuffer::<C>::band(&mut ram, WIDTH, HEIGHT, start..end)?;
-        page::draw(&mut frame, &mut table, &ink)?;
+        draw(&mut frame, &mut table)?;
         part.copy_from_slice(frame.row_bytes(start..end));
     }
     Ok(screen)
@@ -97,18 +110,19 @@ fn color<C: From<Rgb888>>(ink: Ink) -> C {
     COLORS[usize::from(ink)].into()
 }
 
-/// At `2^bits` indices, through a palette of so many colours.
-fn indexed<C, const N: usize>(band: Option<u16>) -> Result<Picture, Box<dyn Error>>
+/// What indices show through a palette of so many colours.
+fn indexed<C, const N: usize>(mut memory: Vec<u8>) -> Result<Picture, Box<dyn Error>>
 where
     C: PixelFormat<Color = C> + embedded_graphics::pixelcolor::PixelColor + Into<u8>,
 {
-    let mut memory = drawn(band, index::<C>)?;
     let colors: [Rgb888; N] = std::array::from_fn(|i| COLORS.get(i).copied().unwrap_or_default());
     Ok(Picture::indexed(&Framebuffer::<C>::new(&mut memory, WIDTH, HEIGHT)?, &Palette::new(colors)))
 }
 
 #[cfg(test)]
 mod tests {
+    use embedded_raster::{Bitmap, Rect};
+
     use super::*;
 
     #[test]
@@ -128,6 +142,42 @@ mod tests {
         }
         let help = run(lexopt::Parser::from_args(["--help"])).expect("help");
         assert!(help.starts_with("usage: shapes"), "{help}");
+    }
+
+    /// `BLESS=1 cargo test --example shapes` writes them anew.
+    #[test]
+    fn pages_are_as_they_were() {
+        let one = drawn_by(None, hatched::draw, hatched::pour).unwrap();
+        let four = drawn(None, index::<Index4>).unwrap();
+        let pages = [("page-1", indexed::<Index1, 2>(one)), ("page-4", indexed::<Index4, 16>(four))];
+        for (name, page) in pages {
+            assert_eq!(pictures::compare(name, &page.unwrap()), None);
+        }
+    }
+
+    /// At one bit, areas are neither black nor white, and no two of them look alike.
+    #[test]
+    fn patterns_tell_colours_apart() {
+        let memory = drawn_by(None, hatched::draw, hatched::pour).unwrap();
+        let page = Bitmap::<Index1>::new(&memory, WIDTH, HEIGHT).unwrap();
+        // In the middle of each of six sectors of the pie: the seventh tile.
+        let places = [(48, 40), (36, 48), (20, 44), (12, 28), (20, 14), (46, 16)];
+        let blocks = places.map(|(x, y)| {
+            let block = Rect::new(64 + x - 4, 60 + y - 4, 64 + x + 4, 60 + y + 4);
+            let rows: Vec<bool> = page.colors(block).map(|color| color == Index1::new(1)).collect();
+            assert!(rows.contains(&true) && rows.contains(&false), "{block:?} has a pattern");
+            rows
+        });
+        let different: std::collections::HashSet<_> = blocks.iter().collect();
+        assert_eq!(different.len(), blocks.len(), "of their own");
+    }
+
+    #[test]
+    fn bands_of_one_bit_are_the_whole() {
+        let whole = drawn_by(None, hatched::draw, |_, _| Ok(())).unwrap();
+        for rows in [1, 7, 64, 239, 240] {
+            assert!(drawn_by(Some(rows), hatched::draw, hatched::pour).unwrap() == whole, "bands of {rows} rows");
+        }
     }
 
     /// Bands of any height show the page, but for what is poured.

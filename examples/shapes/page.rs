@@ -50,10 +50,23 @@ pub type Ink = u8;
 /// # Errors
 /// [`EdgeTableFull`] if `table` is shorter than a row of the page needs.
 pub fn draw<S: Surface>(page: &mut S, table: &mut [EdgeSlot], ink: impl Fn(Ink) -> S::Color) -> Result<(), Error> {
+    draw_with(page, table, &ink, &ink)
+}
+
+/// The same with inks for areas, and others for lines and points: where areas have patterns, those are too thin for them.
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_with<S: Surface>(
+    page: &mut S,
+    table: &mut [EdgeSlot],
+    ink: impl Fn(Ink) -> S::Color,
+    thin: impl Fn(Ink) -> S::Color,
+) -> Result<(), Error> {
     page.fill_window(ink(0));
     for (i, tile) in TILES.iter().enumerate() {
         let i = i as i32;
-        let mut pen = Pen { page, table, ink: &ink, at: (i % 5 * TILE.0, i / 5 * TILE.1) };
+        let mut pen = Pen { page, table, ink: &ink, thin: &thin, at: (i % 5 * TILE.0, i / 5 * TILE.1) };
         // A generic function cannot stand in a table: the tiles are told apart by their names.
         match tile {
             Tile::Lines => pen.lines(),
@@ -80,6 +93,9 @@ pub fn draw<S: Surface>(page: &mut S, table: &mut [EdgeSlot], ink: impl Fn(Ink) 
     Ok(())
 }
 
+/// A pixel in the maze, from which colour is poured.
+pub const SEED: Point = Point::new(4 * TILE.0 + 32, 3 * TILE.1 + 4);
+
 /// Pours colour into the maze, and sets glyphs down: these read pixels or memory, so they need the whole page at once.
 ///
 /// # Errors
@@ -89,12 +105,19 @@ pub fn pour<F: PixelFormat>(
     table: &mut [FloodSlot],
     ink: impl Fn(Ink) -> F::Color,
 ) -> Result<(), Error> {
-    let (x, y) = (4 * TILE.0, 3 * TILE.1);
-    page.flood_fill(Point::new(x + 32, y + 4), Connectivity::Sides, table, ink(4));
+    page.flood_fill(SEED, Connectivity::Sides, table, ink(4));
     // The pixels of an outline are connected by their corners.
-    page.flood_fill(Point::new(x + 32, y + 2), Connectivity::Corners, table, ink(1));
+    page.flood_fill(Point::new(SEED.x, SEED.y - 2), Connectivity::Corners, table, ink(1));
+    arrow(page, ink(2))
+}
+
+/// A glyph in the middle of the maze.
+///
+/// # Errors
+/// None, as it is as long as it says.
+pub fn arrow<S: Surface>(page: &mut S, color: S::Color) -> Result<(), Error> {
     let arrow = Bitmap::<Index1>::new(&[0x08, 0x0c, 0xfe, 0xff, 0xfe, 0x0c, 0x08], 8, 7)?;
-    page.blit_mask(Point::new(x + 26, y + 27), &arrow, ink(2), None);
+    page.blit_mask(Point::new(SEED.x - 6, SEED.y + 23), &arrow, color, None);
     Ok(())
 }
 
@@ -129,16 +152,23 @@ const TILES: [Tile; 20] = [
 ];
 
 /// Draws in a tile: all places count from its corner.
-struct Pen<'a, S, I> {
+struct Pen<'a, S, I, T> {
     page: &'a mut S,
     table: &'a mut [EdgeSlot],
     ink: &'a I,
+    thin: &'a T,
     at: (i32, i32),
 }
 
-impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
+impl<S: Surface, I: Fn(Ink) -> S::Color, T: Fn(Ink) -> S::Color> Pen<'_, S, I, T> {
+    /// For an area.
     fn ink(&self, n: i32) -> S::Color {
         (self.ink)(1 + (n as u32 % 8) as Ink)
+    }
+
+    /// For a line or a point.
+    fn thin(&self, n: i32) -> S::Color {
+        (self.thin)(1 + (n as u32 % 8) as Ink)
     }
 
     fn pixel(&self, x: i32, y: i32) -> Point {
@@ -173,7 +203,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     fn lines(&mut self) {
         for (i, (dx, dy)) in rim(27).into_iter().enumerate() {
             let (a, b) = (self.pixel(32 + dx / 6, 30 + dy / 6), self.pixel(32 + dx, 30 + dy));
-            self.page.draw_line(a, b, self.ink(i as i32));
+            self.page.draw_line(a, b, self.thin(i as i32));
         }
     }
 
@@ -191,7 +221,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         self.page.fill_rectangle_fx(a, b, self.ink(0));
         self.page.fill_rounded(self.area(24, 8, 60, 34), Radii::all(7), self.ink(3));
         let radii = Radii { top_left: 0, top_right: 12, bottom_right: 4, bottom_left: 18 };
-        self.page.draw_rounded(self.area(5, 20, 50, 56), radii, self.ink(5));
+        self.page.draw_rounded(self.area(5, 20, 50, 56), radii, self.thin(5));
     }
 
     /// Odd and even diameters, outlines around what they enclose.
@@ -199,7 +229,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         for (i, size) in [52, 43, 34, 25, 16, 7].into_iter().enumerate() {
             let area = self.area(32 - size / 2, 30 - size / 2, 32 - size / 2 + size, 30 - size / 2 + size);
             self.page.fill_outlined_ellipse(area, self.ink(i as i32 + 4));
-            self.page.draw_ellipse(area, self.ink(i as i32));
+            self.page.draw_ellipse(area, self.thin(i as i32));
         }
     }
 
@@ -210,15 +240,15 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let centre = self.place((x, y));
             self.page.fill_ellipse_fx(Ellipse::new(centre, px(rx), px(ry)), self.ink(i as i32));
         }
-        self.page.draw_ellipse(self.area(2, 2, 62, 58), self.ink(6));
-        self.page.draw_ellipse(self.area(2, 28, 62, 31), self.ink(7));
+        self.page.draw_ellipse(self.area(2, 2, 62, 58), self.thin(6));
+        self.page.draw_ellipse(self.area(2, 28, 62, 31), self.thin(7));
     }
 
     fn arcs(&mut self) {
         for i in 0..6 {
             let (inset, start) = (4 * i, 40 * i);
             let sector = Sector::new(Angle::degrees(start), Angle::degrees(start + 230));
-            self.page.draw_arc(self.area(4 + inset, 2 + inset, 60 - inset, 58 - inset), sector, self.ink(i));
+            self.page.draw_arc(self.area(4 + inset, 2 + inset, 60 - inset, 58 - inset), sector, self.thin(i));
         }
     }
 
@@ -246,8 +276,8 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let size = I24F8::from_bits(256 + 64 * i);
             let (round, square) =
                 (self.place((16 + i % 7 * 34, 16 + i / 7 * 30)), self.place((16 + i % 7 * 34, 136 + i / 7 * 30)));
-            self.page.fill_round_point_fx(round, size, self.ink(i));
-            self.page.fill_square_point_fx(square, size, self.ink(i + 3));
+            self.page.fill_round_point_fx(round, size, self.thin(i));
+            self.page.fill_square_point_fx(square, size, self.thin(i + 3));
         }
     }
 
@@ -273,7 +303,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
     fn quadratics(&mut self) {
         for i in 0..7 {
             let [a, c, b] = self.places([(16 + 10 * i, 228), (128, -140 + 60 * i), (240 - 10 * i, 228)]);
-            self.page.draw_quadratic_fx([a, c, b], self.ink(i));
+            self.page.draw_quadratic_fx([a, c, b], self.thin(i));
         }
     }
 
@@ -285,7 +315,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             [(60, 230), (300, 100), (-50, 100), (190, 230)],
         ];
         for (i, curve) in curves.into_iter().enumerate() {
-            self.page.draw_cubic_fx(self.places(curve), self.ink(2 * i as i32));
+            self.page.draw_cubic_fx(self.places(curve), self.thin(2 * i as i32));
         }
     }
 
@@ -298,7 +328,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             Close,
         ]);
         self.page.fill_path_fx(Path::new(&heart), FillRule::NonZero, self.table, self.ink(0))?;
-        self.page.draw_path_fx(Path::new(&heart), self.ink(7));
+        self.page.draw_path_fx(Path::new(&heart), self.thin(7));
         Ok(())
     }
 
@@ -308,7 +338,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let cap = [Cap::Butt, Cap::Square, Cap::Round][i as usize % 3];
             let stroke = Stroke::new(I24F8::from_bits(256 + 320 * i)).with_cap(cap);
             let ends = self.places([(24, 20 + 36 * i), (228, 8 + 40 * i)]);
-            self.page.stroke_line_fx(ends, &stroke, self.table, self.ink(i))?;
+            self.page.stroke_line_fx(ends, &stroke, self.table, self.thin(i))?;
         }
         Ok(())
     }
@@ -318,7 +348,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
             let y = 64 * i as i32;
             let zigzag = self.places([(20, 80 + y), (90, 30 + y), (120, 90 + y), (232, 40 + y)]);
             let stroke = Stroke::px(6).with_join(join);
-            self.page.stroke_polyline_fx(&zigzag, false, &stroke, self.table, self.ink(2 * i as i32))?;
+            self.page.stroke_polyline_fx(&zigzag, false, &stroke, self.table, self.thin(2 * i as i32))?;
         }
         Ok(())
     }
@@ -328,10 +358,10 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
         let wave = self.path([MoveTo(v(16, 180)), CubicTo(v(90, -160), v(150, 380), v(240, 40))]);
         let pattern = [9, 5, 2, 5].map(px);
         let stroke = Stroke::px(3).with_cap(Cap::Round).dashed(&pattern, px(0));
-        self.page.stroke_path_fx(Path::new(&wave), &stroke, self.table, self.ink(4))?;
+        self.page.stroke_path_fx(Path::new(&wave), &stroke, self.table, self.thin(4))?;
         let [a, b] = self.places([(16, 224), (240, 224)]);
         let pattern = [4, 4].map(px);
-        self.page.stroke_line_fx([a, b], &Stroke::px(2).dashed(&pattern, px(0)), self.table, self.ink(1))
+        self.page.stroke_line_fx([a, b], &Stroke::px(2).dashed(&pattern, px(0)), self.table, self.thin(1))
     }
 
     /// A ring cut into triangles, which are made as regular as they can be.
@@ -351,7 +381,7 @@ impl<S: Surface, I: Fn(Ink) -> S::Color> Pen<'_, S, I> {
 
     /// Walls between which colour is poured.
     fn maze(&mut self) {
-        let color = self.ink(7);
+        let color = self.thin(7);
         self.page.draw_ellipse(self.area(2, 2, 62, 58), color);
         for i in 1..6 {
             let inset = 4 * i;

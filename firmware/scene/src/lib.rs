@@ -7,6 +7,8 @@
 
 #[path = "../../../examples/cube/scene.rs"]
 pub mod cube;
+#[path = "../../../examples/shapes/hatched.rs"]
+pub mod hatched;
 pub mod map;
 pub mod moving;
 #[path = "../../../examples/shapes/page.rs"]
@@ -43,13 +45,19 @@ pub struct Frame {
 }
 
 /// All of them.
-pub const FRAMES: [Frame; 6] = [
+pub const FRAMES: [Frame; 7] = [
     Frame { name: "map", format: "index4", bytes: map::BYTES, draw: map::draw },
     shapes::<Rgb565>("rgb565"),
     shapes::<Index4>("index4"),
     shapes::<Index1>("index1"),
     page::<Rgb565>("rgb565"),
     page::<Index4>("index4"),
+    Frame {
+        name: "page",
+        format: "index1",
+        bytes: embedded_raster::buffer_bytes::<Index1>(WIDTH, HEIGHT),
+        draw: hatched,
+    },
 ];
 
 const fn page<F: PixelFormat>(format: &'static str) -> Frame {
@@ -61,6 +69,12 @@ const fn page<F: PixelFormat>(format: &'static str) -> Frame {
         page::pour(&mut frame, &mut [FloodSlot::EMPTY; 16], ink)
     };
     Frame { name: "page", format, bytes, draw }
+}
+
+fn hatched(memory: &mut [u8], table: &mut [EdgeSlot]) -> Result<(), Error> {
+    let mut frame = Framebuffer::<Index1>::new(memory, WIDTH, HEIGHT)?;
+    hatched::draw(&mut frame, table)?;
+    hatched::pour(&mut frame, &mut [FloodSlot::EMPTY; 16])
 }
 
 const fn shapes<F: PixelFormat>(format: &'static str) -> Frame {
