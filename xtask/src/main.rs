@@ -54,7 +54,7 @@ Documentation:
     readme
         make the tables of README.md and docs/*.md anew, each by the command that stands above it
     tour
-        draw the pictures of src/tour.md, the page of the crate, and of some modules anew: look at each that changed
+        draw the pictures of src/tour.md, the page of the crate, of some modules and of the cookbook anew: look at each that changed
 
 CHIP is m0, m4 or riscv, all of them unless told. --rows names the rows of a table, all of them unless told. FORMAT is rgb565, gray8, gray4 or binary.
 --cpu builds with -C target-cpu of the chip's processor.

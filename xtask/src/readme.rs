@@ -30,12 +30,14 @@ pub fn update() -> Result<()> {
     })
 }
 
-/// Draws the pictures of `src/tour.md` and of some modules anew. A test of the crate does it, as it has the programs that draw them.
+/// Draws the pictures of `src/tour.md`, of some modules and of the cookbook anew. Tests do it, as they have the programs that draw them.
 pub fn draw_tour() -> Result<()> {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["test", "--package", "embedded-raster", "--test", "tour"]).current_dir(project()).env("BLESS", "1");
-    let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
-    ensure!(status.success(), "cargo ended with {status}");
+    for (package, test) in [("embedded-raster", "tour"), ("embedded-raster-simulator", "cookbook")] {
+        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+        cargo.args(["test", "--package", package, "--test", test]).current_dir(project()).env("BLESS", "1");
+        let status = cargo.status().with_context(|| format!("starting {cargo:?}"))?;
+        ensure!(status.success(), "cargo ended with {status}");
+    }
     Ok(())
 }
 
