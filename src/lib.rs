@@ -41,7 +41,7 @@ pub use raster::{
     rounded::{Align, Radii},
     stroke::{Cap, Dash, Join, Stroke},
 };
-pub use span::{ClippedSpan, Octants, Rect, Sink, Span, Steps};
+pub use span::{ClippedSpan, Octants, Rect, Sink, SoftRow, Span, Steps};
 pub use surface::{Bitmap, Frame, Framebuffer, Layout, Readable, Surface};
 
 /// The crate whose points, sizes, rectangles and colours this one speaks, in the version that it speaks.

@@ -2,7 +2,7 @@
 
 use super::traits::Paint;
 use crate::{
-    span::{ClippedSpan, Octants, Rect, Sink, Steps},
+    span::{ClippedSpan, Octants, Rect, Sink, SoftRow, Steps},
     surface::Surface,
 };
 
@@ -35,6 +35,11 @@ impl<S: Surface + ?Sized, P: Paint<S>> Sink for Brush<'_, S, P> {
     #[inline(always)]
     fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
         self.paint.coverage(self.surface, span, levels);
+    }
+
+    #[inline(always)]
+    fn soft_row(&mut self, row: SoftRow<'_>) {
+        self.paint.soft_row(self.surface, row);
     }
 
     #[inline(always)]

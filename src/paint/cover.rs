@@ -11,7 +11,7 @@ use super::{solid::in_one_color, traits::Paint};
 use crate::{
     num::cast::index,
     pixel::Channels,
-    span::ClippedSpan,
+    span::{ClippedSpan, SoftRow},
     surface::{Readable, Surface},
 };
 
@@ -45,7 +45,13 @@ where
     #[inline(never)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
         let color = self.0;
-        on.edit_span(span, |x, old| Channels::between([old, color], level_at(levels, span, x)));
+        on.mix_span(span, levels, |old, level| Channels::between([old, color], level));
+    }
+
+    #[inline(always)]
+    fn soft_row(&mut self, on: &mut S, row: SoftRow<'_>) {
+        let color = self.0;
+        on.mix_row(row, color, |old, level| Channels::between([old, color], level));
     }
 }
 

@@ -1,7 +1,7 @@
 //! [`Paint`]: what happens to the pixels of a shape.
 
 use crate::{
-    span::{ClippedSpan, Octants, Rect, Span, Steps},
+    span::{ClippedSpan, Octants, Rect, SoftRow, Span, Steps},
     surface::Surface,
 };
 
@@ -33,6 +33,16 @@ pub trait Paint<S: Surface + ?Sized> {
         span.covered(levels, |span| self.span(on, span));
     }
 
+    /// Paints pixels of one row, and rims on both sides that are covered in part. By default, by [`coverage`](Self::coverage) and
+    /// [`span`](Self::span).
+    #[inline]
+    fn soft_row(&mut self, on: &mut S, row: SoftRow<'_>) {
+        row.each(|span, levels| match levels {
+            Some(levels) => self.coverage(on, span, levels),
+            None => self.span(on, span),
+        });
+    }
+
     /// Paints a line one pixel wide. By default, row by row.
     #[inline]
     fn steps(&mut self, on: &mut S, steps: Steps) {
@@ -62,6 +72,11 @@ impl<S: Surface + ?Sized, P: Paint<S> + ?Sized> Paint<S> for &mut P {
     #[inline(always)]
     fn coverage(&mut self, on: &mut S, span: ClippedSpan, levels: &[u8]) {
         (**self).coverage(on, span, levels);
+    }
+
+    #[inline(always)]
+    fn soft_row(&mut self, on: &mut S, row: SoftRow<'_>) {
+        (**self).soft_row(on, row);
     }
 
     #[inline(always)]

@@ -5,8 +5,9 @@
 //! - [spans](ClippedSpan), runs of pixels in one row,
 //! - [areas](Rect), the same run in many rows,
 //! - [`Steps`], the pixels of a line one pixel wide,
-//! - [`Octants`], the outline of a circle, and
-//! - [coverage](Sink::coverage), how much of each pixel of a run is covered.
+//! - [`Octants`], the outline of a circle,
+//! - [coverage](Sink::coverage), how much of each pixel of a run is covered, and
+//! - [`SoftRow`], a run between two rims that are covered in part.
 //!
 //! A [`Span`] may lie anywhere. Clipped once against the window of a surface it becomes a [`ClippedSpan`]. Its fields cannot be
 //! set from outside of the crate, so a shape clips once. Nothing keeps a program from clipping against another rectangle and
@@ -21,7 +22,7 @@ mod steps;
 pub use self::{
     octants::Octants,
     rect::Rect,
-    row::{ClippedSpan, Span},
+    row::{ClippedSpan, SoftRow, Span},
     sink::Sink,
     steps::Steps,
 };

@@ -1,4 +1,4 @@
-//! [`Span`] and [`ClippedSpan`]: pixels of one row.
+//! [`Span`] and [`ClippedSpan`]: pixels of one row. [`SoftRow`]: those that have rims.
 
 use super::rect::Rect;
 use crate::num::cast::{low_u32, signed, unsigned};
@@ -150,5 +150,68 @@ impl ClippedSpan {
     #[expect(clippy::len_without_is_empty, reason = "it is never empty")]
     pub const fn len(self) -> u32 {
         unsigned(self.x1.wrapping_sub(self.x0))
+    }
+}
+
+/// Pixels of one row that a shape covers as a whole, between two rims that it covers in part: what most rows of a shape with soft
+/// rims are. Each part may be empty.
+/// ```
+/// use embedded_raster::{raster::coverage, ClippedSpan, PointFx, Rect, Sink, SoftRow};
+/// struct Told(Vec<(i32, Vec<u8>, Vec<u8>)>);
+/// impl Sink for &mut Told {
+///     fn span(&mut self, _: ClippedSpan) {}
+///     fn soft_row(&mut self, row: SoftRow<'_>) {
+///         self.0.push((row.span().y(), row.left().to_vec(), row.right().to_vec()));
+///     }
+/// }
+/// let corners = [(0, 0), (0, 8), (9, 8)].map(|(x, y)| PointFx::px(x, y));
+/// let mut told = Told(vec![]);
+/// coverage::triangle(corners, &mut [], Rect::new(0, 0, 9, 8), &mut told);
+/// assert_eq!(told.0[0], (3, vec![], vec![223, 16])); // of three pixels and a half, three are full
+/// ```
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct SoftRow<'a> {
+    span: ClippedSpan,
+    left: &'a [u8],
+    right: &'a [u8],
+}
+
+impl<'a> SoftRow<'a> {
+    /// A row of a shape that lies in the window as a whole, with the levels of its first pixels and of its last ones. It has as many
+    /// pixels as both, or more.
+    #[inline(always)]
+    pub(crate) const fn inside(span: ClippedSpan, left: &'a [u8], right: &'a [u8]) -> Self {
+        Self { span, left, right }
+    }
+
+    /// All of its pixels.
+    #[inline(always)]
+    pub const fn span(self) -> ClippedSpan {
+        self.span
+    }
+
+    /// Of its first pixels, how many 255ths are covered.
+    #[inline(always)]
+    pub const fn left(self) -> &'a [u8] {
+        self.left
+    }
+
+    /// Of its last pixels, how many 255ths are covered.
+    #[inline(always)]
+    pub const fn right(self) -> &'a [u8] {
+        self.right
+    }
+
+    /// Calls `f` with its parts that are not empty, from left to right: with their levels, or without if they are covered as a whole.
+    #[inline]
+    pub fn each(self, mut f: impl FnMut(ClippedSpan, Option<&'a [u8]>)) {
+        let ClippedSpan { x0, x1, .. } = self.span;
+        let len = |levels: &[u8]| low_u32(levels.len() as u64);
+        let (from, to) = (x0.wrapping_add_unsigned(len(self.left)), x1.wrapping_sub_unsigned(len(self.right)));
+        for (x0, x1, levels) in [(x0, from, Some(self.left)), (from, to, None), (to, x1, Some(self.right))] {
+            if x0 < x1 {
+                f(ClippedSpan { x0, x1, ..self.span }, levels);
+            }
+        }
     }
 }

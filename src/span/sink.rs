@@ -1,6 +1,11 @@
 //! [`Sink`]: what receives a shape.
 
-use super::{octants::Octants, rect::Rect, row::ClippedSpan, steps::Steps};
+use super::{
+    octants::Octants,
+    rect::Rect,
+    row::{ClippedSpan, SoftRow},
+    steps::Steps,
+};
 
 /// Receives a shape: everything that a shape may say to what it is drawn on.
 ///
@@ -37,6 +42,16 @@ pub trait Sink {
     #[inline]
     fn coverage(&mut self, span: ClippedSpan, levels: &[u8]) {
         span.covered(levels, |span| self.span(span));
+    }
+
+    /// Pixels of one row, covered as a whole, and rims on both sides. By default, as [coverage](Self::coverage), a
+    /// [span](Self::span), and coverage.
+    #[inline]
+    fn soft_row(&mut self, row: SoftRow<'_>) {
+        row.each(|span, levels| match levels {
+            Some(levels) => self.coverage(span, levels),
+            None => self.span(span),
+        });
     }
 
     /// Pixels of a line one pixel wide. By default, row by row.

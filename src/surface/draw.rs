@@ -13,8 +13,9 @@ use super::{
     traits::{copy_by_pixels, Inside, Readable, Said, Surface},
 };
 use crate::{
+    num::cast::index,
     pixel::PixelFormat,
-    span::{ClippedSpan, Octants, Rect, Steps},
+    span::{ClippedSpan, Octants, Rect, SoftRow, Steps},
     tune::COMPACT,
 };
 
@@ -224,6 +225,30 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
             x = x.wrapping_add(1);
             new
         });
+    }
+
+    #[inline]
+    fn mix_span(&mut self, span: ClippedSpan, levels: &[u8], mix: impl FnMut(L::Color, u8) -> L::Color) {
+        let Some(seen) = self.again(span) else { return };
+        let skipped = index(seen.x0().wrapping_sub(span.x0()));
+        let Some(levels) = levels.get(skipped..) else { return };
+        let (y, columns) = (self.y(seen.y()), self.columns(seen));
+        let (memory, grid) = self.write();
+        L::mix_span(memory, grid, y, columns, levels, mix);
+    }
+
+    #[inline(always)]
+    fn mix_row(&mut self, row: SoftRow<'_>, color: L::Color, mut mix: impl FnMut(L::Color, u8) -> L::Color) {
+        let span = row.span();
+        if self.again(span) != Some(span) {
+            return row.each(|span, levels| match levels {
+                Some(levels) => self.mix_span(span, levels, &mut mix),
+                None => self.fill_span(span, color),
+            });
+        }
+        let (y, columns) = (self.y(span.y()), self.columns(span));
+        let (memory, grid) = self.write();
+        L::mix_row(memory, grid, y, columns, (row.left(), row.right()), color, mix);
     }
 
     #[inline(always)]

@@ -177,6 +177,45 @@ pub trait Layout: 'static {
         }
     }
 
+    /// Replaces the pixels `x0..x1` of row y from left to right: `mix` is given the old colour and a level, and returns the new colour.
+    /// There are as many levels as pixels, or more.
+    #[inline]
+    fn mix_span(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        levels: &[u8],
+        mut mix: impl FnMut(Self::Color, u8) -> Self::Color,
+    ) {
+        let mut levels = levels.iter();
+        Self::edit_span(memory, grid, y, columns, |old| levels.next().map_or(old, |&level| mix(old, level)));
+    }
+
+    /// Writes one colour to the pixels `x0..x1` of row y, but for the first and the last ones of them, which have levels: they are mixed
+    /// as by [`mix_span`](Self::mix_span). There are no fewer pixels than levels.
+    #[inline]
+    fn mix_row(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        (x0, x1): (usize, usize),
+        (left, right): (&[u8], &[u8]),
+        color: Self::Color,
+        mut mix: impl FnMut(Self::Color, u8) -> Self::Color,
+    ) {
+        let (from, to) = (x0.wrapping_add(left.len()), x1.wrapping_sub(right.len()));
+        if x0 < from {
+            Self::mix_span(memory, grid, y, (x0, from), left, &mut mix);
+        }
+        if from < to {
+            Self::fill_span(memory, grid, y, (from, to), color);
+        }
+        if to < x1 {
+            Self::mix_span(memory, grid, y, (to, x1), right, &mut mix);
+        }
+    }
+
     /// The first of the pixels `x0..x1` of row y whose colour is wanted; `x1` if none is.
     #[inline]
     fn find(

@@ -163,6 +163,32 @@ impl<F: PixelFormat> Layout for Rows<F> {
     }
 
     #[inline(always)]
+    fn mix_span(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        levels: &[u8],
+        mut mix: impl FnMut(F::Color, u8) -> F::Color,
+    ) {
+        rows::mix::<F>(memory, start(grid, y), columns, levels, |bits, level| F::pack(mix(F::unpack(bits), level)));
+    }
+
+    #[inline(always)]
+    fn mix_row(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        levels: (&[u8], &[u8]),
+        color: F::Color,
+        mut mix: impl FnMut(F::Color, u8) -> F::Color,
+    ) {
+        let mix = |bits, level| F::pack(mix(F::unpack(bits), level));
+        rows::mix_ends::<F>(memory, start(grid, y), columns, levels, F::pack(color), mix);
+    }
+
+    #[inline(always)]
     fn find(memory: &[u8], grid: Grid, y: usize, columns: (usize, usize), wanted: impl Fn(F::Color) -> bool) -> usize {
         scan::find::<F>(memory, start(grid, y), columns, wanted)
     }

@@ -4,8 +4,9 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
 
 use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows, strip::Strip};
 use crate::{
+    num::cast::index,
     pixel::{rows::mask::one_by_one, PixelFormat},
-    span::{ClippedSpan, Octants, Rect, Span, Steps},
+    span::{ClippedSpan, Octants, Rect, SoftRow, Span, Steps},
 };
 
 /// Something that can be drawn on: a [`Frame`] of memory, a [`Counter`](super::Counter) of pixels, a foreign `DrawTarget`
@@ -310,6 +311,29 @@ pub trait Readable: Surface {
             let color = edit(x, self.color_at(x, span.y()));
             self.fill_span(ClippedSpan::inside(span.y(), x, x.wrapping_add(1)), color);
         }
+    }
+
+    /// Replaces the colours of a span that is covered in part, from left to right: what `mix` makes of the old colour and of the level
+    /// of the pixel. There are as many levels as pixels.
+    #[inline]
+    fn mix_span(&mut self, span: ClippedSpan, levels: &[u8], mut mix: impl FnMut(Self::Color, u8) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        // By the column: what lies outside of the window may be left out.
+        self.edit_span(span, |x, old| mix(old, levels.get(index(x.wrapping_sub(span.x0()))).copied().unwrap_or(0)));
+    }
+
+    /// Paints a row, and replaces the colours of its rims by what `mix` makes of them and of the levels.
+    #[inline]
+    fn mix_row(&mut self, row: SoftRow<'_>, color: Self::Color, mut mix: impl FnMut(Self::Color, u8) -> Self::Color)
+    where
+        Self: Sized,
+    {
+        row.each(|span, levels| match levels {
+            Some(levels) => self.mix_span(span, levels, &mut mix),
+            None => self.fill_span(span, color),
+        });
     }
 
     /// The first column of a span whose colour is wanted; the column after its last if there is none.

@@ -183,3 +183,54 @@ pub(crate) fn edit<F: PixelFormat>(
         word::edit::<F>(run, edit);
     }
 }
+
+/// Replaces the pixels `x0..x1`, which are not empty, from left to right, each by what `mix` makes of it and of its level. There are as
+/// many levels, or more.
+#[inline(always)]
+pub(crate) fn mix<F: PixelFormat>(
+    memory: &mut [u8],
+    row: usize,
+    (x0, x1): (usize, usize),
+    levels: &[u8],
+    mut mix: impl FnMut(u32, u8) -> u32,
+) {
+    if F::BITS < 8 {
+        let mut levels = levels.iter();
+        packed::edit::<F>(memory, row, (x0, x1), |old| levels.next().map_or(old, |&level| mix(old, level)));
+    } else if let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
+        word::mix::<F>(run, levels, mix);
+    }
+}
+
+/// Fills the pixels `x0..x1`, which are not empty, but for those at both ends that have levels: they are mixed as by [`mix`].
+#[inline(always)]
+pub(crate) fn mix_ends<F: PixelFormat>(
+    memory: &mut [u8],
+    row: usize,
+    (x0, x1): (usize, usize),
+    (left, right): (&[u8], &[u8]),
+    bits: u32,
+    mut mix: impl FnMut(u32, u8) -> u32,
+) {
+    let (from, to) = (x0.wrapping_add(left.len()), x1.wrapping_sub(right.len()));
+    if F::BITS >= 8 {
+        // One place to look for, and to check: the parts are cut out of it.
+        let Some(run) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) else { return };
+        let Some((ends, rest)) = run.split_at_mut_checked(byte::<F>(0, left.len())) else { return };
+        word::mix::<F>(ends, left, &mut mix);
+        let Some((middle, ends)) = rest.split_at_mut_checked(byte::<F>(0, to.wrapping_sub(from))) else { return };
+        if !middle.is_empty() {
+            word::fill::<F>(middle, bits);
+        }
+        return word::mix::<F>(ends, right, &mut mix);
+    }
+    if x0 < from {
+        self::mix::<F>(memory, row, (x0, from), left, &mut mix);
+    }
+    if from < to {
+        fill::<F>(memory, row, from, to, bits);
+    }
+    if to < x1 {
+        self::mix::<F>(memory, row, (to, x1), right, &mut mix);
+    }
+}

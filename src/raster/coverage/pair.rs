@@ -18,8 +18,8 @@ use super::{
     strip::{level_of, rounded_area, AREA_BITS, GRID_BITS},
 };
 use crate::{
-    num::cast::{index, low_u32, signed, unsigned},
-    span::{ClippedSpan, Rect, Sink},
+    num::cast::{index, low_u32, low_u8, signed, unsigned},
+    span::{ClippedSpan, Rect, Sink, SoftRow},
 };
 
 const PIXEL: u32 = 1 << GRID_BITS;
@@ -33,7 +33,8 @@ const CHUNK: usize = 32;
 #[inline(never)]
 pub(super) fn rows(sides: [&CoverageSlot; 2], (mut y, end): (i32, i32), window: Rect, sink: &mut impl Sink) -> i32 {
     let mut states = sides.map(CoverageSlot::state);
-    let mut row = Levels { sink, chunk: [0; CHUNK], y, x0: window.x0, width: window.width() };
+    let (x0, width) = (window.x0, window.width());
+    let mut rims = [[0; CHUNK]; 2];
     while y < end {
         let [(a, a_next), (b, b_next)] = states.each_ref().map(|(x, crossing)| (*x, crossing.value));
         let a = (a.min(a_next), a.max(a_next));
@@ -45,8 +46,10 @@ pub(super) fn rows(sides: [&CoverageSlot; 2], (mut y, end): (i32, i32), window: 
             *x = crossing.value;
             crossing.step();
         }
-        row.y = y;
-        row.between(if a <= b { [a, b] } else { [b, a] });
+        let (left, right) = if a <= b { (a, b) } else { (b, a) };
+        if !apart((left, right), (x0, y, width), &mut rims, sink) {
+            Levels { sink: &mut *sink, chunk: [0; CHUNK], y, x0, width }.between([left, right]);
+        }
         y = y.wrapping_add(1);
     }
     for (side, state) in sides.into_iter().zip(states) {
@@ -55,22 +58,120 @@ pub(super) fn rows(sides: [&CoverageSlot; 2], (mut y, end): (i32, i32), window: 
     y
 }
 
-/// S of the first column of a side and of the next one, if it goes through no more. The same numbers as those of [`Rise`].
+/// A row whose sides lie in the window, have no pixel in common, and go through few: told in one call. `false` if it is another one.
 #[inline(always)]
-fn one_or_two(from: u32, to: u32) -> Option<(u32, [u32; 2])> {
-    let (column, enter) = (from >> GRID_BITS, from & (PIXEL - 1));
-    let inset = to.wrapping_sub(column << GRID_BITS);
-    #[cfg(test)]
-    crate::num::tally::add(crate::num::tally::Work::Step);
-    if inset <= PIXEL {
-        let area = (2 * PIXEL).wrapping_sub(enter).wrapping_sub(inset) << (AREA_BITS - GRID_BITS - 1);
-        return Some((column, [area, FULL]));
+fn apart(
+    (left, right): ((i32, i32), (i32, i32)),
+    (x0, y, width): (i32, i32, u32),
+    [before, behind]: &mut [[u8; CHUNK]; 2],
+    sink: &mut impl Sink,
+) -> bool {
+    // The last column of a side that ends on a border is the one before it, but for a vertical one: then there is one beside it, which
+    // is covered as a whole, or not at all.
+    let (first, next) = (unsigned(left.1) >> GRID_BITS, unsigned(right.0) >> GRID_BITS);
+    // Negative numbers are large ones.
+    if left.0 < 0 || first >= next || unsigned(right.1) >> GRID_BITS >= width {
+        return false;
     }
-    let width = NonZeroU32::new(to.wrapping_sub(from)).filter(|_| inset <= 2 * PIXEL)?;
-    let ahead = PIXEL.wrapping_sub(enter);
-    let part = (ahead << GRID_BITS).wrapping_add(width.get() >> 1) / width;
-    let rest = rounded_area(PIXEL.wrapping_sub(part), (3 * PIXEL).wrapping_sub(inset));
-    Some((column, [rounded_area(part, ahead), (part << (AREA_BITS - GRID_BITS)).wrapping_add(rest)]))
+    let Some((start, _, levels)) = LEFT.levels(unsigned(left.0), unsigned(left.1), before) else { return false };
+    let Some((_, end, last)) = RIGHT.levels(unsigned(right.0), unsigned(right.1), behind) else { return false };
+    if start < end {
+        let x = |column: u32| x0.wrapping_add_unsigned(column);
+        sink.soft_row(SoftRow::inside(ClippedSpan::inside(y, x(start), x(end)), levels, last));
+    }
+    true
+}
+
+/// How the levels of a rim come out of S: an S times the factor, and the base, `2^AREA_BITS` times the level.
+struct Rim {
+    factor: u32,
+    base: u32,
+    /// The levels before a side and behind it.
+    ends: [u8; 2],
+}
+
+const HALF: u32 = FULL / 2;
+/// What lies right of a side.
+const LEFT: Rim = Rim { factor: 255, base: HALF, ends: [0, u8::MAX] };
+/// What lies left of it: the whole pixel, less S.
+const RIGHT: Rim = Rim { factor: 255_u32.wrapping_neg(), base: 255 * FULL + HALF, ends: [u8::MAX, 0] };
+
+impl Rim {
+    #[inline(always)]
+    fn level(&self, sum: u32) -> u8 {
+        low_u8(sum.wrapping_mul(self.factor).wrapping_add(self.base) >> AREA_BITS)
+    }
+
+    /// The levels of the pixels that a side goes through, and the columns where they begin and end: those of the first one and of the
+    /// last one are left out if they are what is before the side and behind it. `None` if there are too many.
+    ///
+    /// No others are: with 32 pixels at most, each but the first one and the last one has a 64th of the pixel, or more, before it.
+    #[inline(always)]
+    fn levels<'l>(&self, from: u32, to: u32, levels: &'l mut [u8; CHUNK]) -> Option<(u32, u32, &'l [u8])> {
+        let (column, enter) = (from >> GRID_BITS, from & (PIXEL - 1));
+        let inset = to.wrapping_sub(column << GRID_BITS);
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
+        let (last, columns);
+        if inset <= PIXEL {
+            let sum = (2 * PIXEL).wrapping_sub(enter).wrapping_sub(inset) << (AREA_BITS - GRID_BITS - 1);
+            last = self.level(sum);
+            columns = 1;
+            levels[0] = last;
+        } else {
+            let width = NonZeroU32::new(to.wrapping_sub(from))?;
+            let ahead = PIXEL.wrapping_sub(enter);
+            // At most 2^30, and half of 2^31.
+            let n = (ahead << GRID_BITS).wrapping_add(width.get() >> 1);
+            let done = n / width;
+            levels[0] = self.level(rounded_area(done, ahead));
+            if inset <= 2 * PIXEL {
+                last = self.level(last_sum(done, inset.wrapping_sub(PIXEL)));
+                columns = 2;
+                levels[1] = last;
+            } else {
+                columns = inset.wrapping_sub(1).wrapping_shr(GRID_BITS).wrapping_add(1);
+                let rest = levels.get_mut(1..index(signed(columns)))?;
+                last = self.more_levels(width, (done, n), inset, rest);
+            }
+        }
+        let [before, behind] = self.ends;
+        let skipped = u32::from(levels[0] == before);
+        let left_out = u32::from(last == behind);
+        let (start, end) = (skipped, columns.wrapping_sub(left_out));
+        // A single pixel is left out once at most, as the ends differ.
+        let told = levels.get(index(signed(start))..index(signed(end)))?;
+        Some((column.wrapping_add(start), column.wrapping_add(end), told))
+    }
+
+    /// The levels of the second pixel and those that follow, and the last one of them once more. The side has so much of its height
+    /// in the first one, as that division says.
+    #[inline(never)]
+    fn more_levels(&self, width: NonZeroU32, (mut done, n): (u32, u32), inset: u32, levels: &mut [u8]) -> u8 {
+        let Some((end, between)) = levels.split_last_mut() else { return 0 };
+        let mut rest = n.wrapping_sub(done.wrapping_mul(width.get()));
+        let (each, more) = ((1 << 30) / width, (1 << 30) % width);
+        for place in between {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
+            let before = done;
+            (done, rest) = (done.wrapping_add(each), rest.wrapping_add(more));
+            if rest >= width.get() {
+                (done, rest) = (done.wrapping_add(1), rest.wrapping_sub(width.get()));
+            }
+            // The height before the pixel, and half of that in it.
+            *place = self.level(before.wrapping_add(done) << (AREA_BITS - GRID_BITS - 1));
+        }
+        *end = self.level(last_sum(done, (inset.wrapping_sub(1) & (PIXEL - 1)).wrapping_add(1)));
+        *end
+    }
+}
+
+/// S of the last pixel of a side: it has so much of its height before it, and ends there.
+#[inline(always)]
+fn last_sum(done: u32, inset: u32) -> u32 {
+    let rest = rounded_area(PIXEL.wrapping_sub(done), (2 * PIXEL).wrapping_sub(inset));
+    (done << (AREA_BITS - GRID_BITS)).wrapping_add(rest)
 }
 
 /// What a side covers of one pixel after the other, of those that it goes through. It has the height of a pixel.
@@ -153,7 +254,7 @@ struct Levels<'s, S> {
 impl<S: Sink> Levels<'_, S> {
     /// What lies between two sides, from the left end of each to its right end. First comes the one that begins further left, or
     /// that ends further left if both begin at one place. Sides left of the window count as its left side.
-    #[inline(always)]
+    #[inline(never)]
     fn between(&mut self, [left, right]: [(i32, i32); 2]) {
         let inside = |(from, to): (i32, i32)| if to <= 0 { (0, 0) } else { (unsigned(from), unsigned(to)) };
         let [left, right] = [left, right].map(inside);
@@ -167,9 +268,9 @@ impl<S: Sink> Levels<'_, S> {
         if left.1 > 0 && last >= next && next < self.width {
             return self.both(Rise::new(left.0, left.1), Rise::new(right.0, right.1));
         }
-        let full = if left.1 > 0 { self.left_rim(left.0, left.1) } else { first };
+        let full = if left.1 > 0 { self.left_rim(Rise::new(left.0, left.1)) } else { first };
         if next < self.width {
-            self.right_rim(full, right.0, right.1);
+            self.right_rim(full, Rise::new(right.0, right.1));
         } else {
             self.full(full, self.width);
         }
@@ -187,41 +288,9 @@ impl<S: Sink> Levels<'_, S> {
         }
     }
 
-    /// One or two pixels, from `column` on: those from `start` up to `end`.
-    #[inline(always)]
-    fn short(&mut self, column: u32, levels: [u8; 2], (start, end): (u32, u32)) {
-        let [from, to] = [start, end].map(|x| index(signed(x.wrapping_sub(column))));
-        if let Some(levels) = levels.get(from..to).filter(|levels| !levels.is_empty()) {
-            self.sink.coverage(ClippedSpan::inside(self.y, self.x(start), self.x(end)), levels);
-        }
-    }
-
     /// The pixels that the left side goes through. Returns where those begin that are full.
-    #[inline(always)]
-    fn left_rim(&mut self, from: u32, to: u32) -> u32 {
-        let Some((column, areas)) = one_or_two(from, to) else { return self.long_left_rim(Rise::new(from, to)) };
-        let levels = areas.map(level_of);
-        let is = |i: usize, level: u8| u32::from(levels.get(i) == Some(&level));
-        let start = column.wrapping_add(is(0, 0));
-        let end = column.wrapping_add(2).wrapping_sub(is(0, u8::MAX)).wrapping_sub(is(1, u8::MAX)).min(self.width);
-        self.short(column, levels, (start, end));
-        end
-    }
-
-    /// The pixels from `full` on that are so, and those that the right side goes through.
-    #[inline(always)]
-    fn right_rim(&mut self, full: u32, from: u32, to: u32) {
-        let Some((column, areas)) = one_or_two(from, to) else { return self.long_right_rim(full, Rise::new(from, to)) };
-        let levels = areas.map(|area| level_of(FULL.wrapping_sub(area)));
-        let is = |i: usize, level: u8| u32::from(levels.get(i) == Some(&level));
-        let start = column.wrapping_add(is(0, u8::MAX)).wrapping_add(is(1, u8::MAX)).min(self.width);
-        let end = column.wrapping_add(2).wrapping_sub(is(0, 0)).wrapping_sub(is(1, 0)).min(self.width);
-        self.full(full, start);
-        self.short(column, levels, (start, end));
-    }
-
     #[inline(never)]
-    fn long_left_rim(&mut self, mut side: Rise) -> u32 {
+    fn left_rim(&mut self, mut side: Rise) -> u32 {
         let mut end = side.last().wrapping_add(1).min(self.width);
         let mut len = 0;
         loop {
@@ -239,8 +308,9 @@ impl<S: Sink> Levels<'_, S> {
         end
     }
 
+    /// The pixels from `full` on that are so, and those that the right side goes through.
     #[inline(never)]
-    fn long_right_rim(&mut self, full: u32, mut side: Rise) {
+    fn right_rim(&mut self, full: u32, mut side: Rise) {
         let end = side.last().wrapping_add(1).min(self.width);
         let before = |side: &Rise| level_of(FULL.wrapping_sub(side.sum));
         while side.column < end && before(&side) == u8::MAX {

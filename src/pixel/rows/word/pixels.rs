@@ -198,6 +198,29 @@ pub(in crate::pixel::rows) fn edit<F: PixelFormat>(run: &mut [u8], mut edit: imp
     }
 }
 
+/// Replaces each pixel of a run by what `mix` makes of it and of its level.
+#[inline(always)]
+pub(in crate::pixel::rows) fn mix<F: PixelFormat>(run: &mut [u8], levels: &[u8], mut mix: impl FnMut(u32, u8) -> u32) {
+    #[inline(always)]
+    fn with_levels<const N: usize>(run: &mut [u8], levels: &[u8], mut f: impl FnMut([u8; N], u8) -> [u8; N])
+    where
+        [u8; N]: Pod,
+    {
+        let (_, pixels, _) = pod_align_to_mut::<u8, [u8; N]>(run);
+        for (pixel, &level) in pixels.iter_mut().zip(levels) {
+            // Rims are short: a loop of four in a turn has more to prepare than it saves.
+            keep_rolled(!VECTORS);
+            *pixel = f(*pixel, level);
+        }
+    }
+    match F::BITS {
+        8 => with_levels(run, levels, |[old], level| [low_u8(mix(old.into(), level))]),
+        16 => with_levels(run, levels, |old, level| low_u16(mix(u16::from_le_bytes(old).into(), level)).to_le_bytes()),
+        24 => with_levels(run, levels, |[a, b, c], level| three(mix(u32::from_le_bytes([a, b, c, 0]), level))),
+        _ => with_levels(run, levels, |old, level| mix(u32::from_le_bytes(old), level).to_le_bytes()),
+    }
+}
+
 /// Calls `f` with each pixel of a run.
 #[inline(always)]
 fn each<const N: usize>(run: &mut [u8], mut f: impl FnMut(&mut [u8; N]))
