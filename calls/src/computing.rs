@@ -111,7 +111,7 @@ calls! {
         coverage::fill_true([first, second], rule, table, cells, window, look).is_ok()
     });
     [line]
-    line => covered(|_, cells, look| { coverage::line(p, q, cells, window, look); true });
+    line => covered(|_, _, look| { coverage::line(p, q, window, look); true });
     [shapes]
     path => covered(|table, cells, look| coverage::path(path, rule, table, cells, window, look).is_ok());
     path_true => covered(|table, cells, look| coverage::path_true(path, rule, table, cells, window, look).is_ok());

@@ -257,7 +257,7 @@ calls! {
     blit_keyed => on.blit_keyed(a.points[0], &a.picture, a.colors[1]);
     blit_mask => on.blit_mask(a.points[0], &a.mask, c, a.flag.then_some(a.colors[1]));
     [Antialias]
-    draw_line_aa => on.draw_line_aa(a.places[0], a.places[1], &mut [], Solid(c));
+    draw_line_aa => on.draw_line_aa(a.places[0], a.places[1], Solid(c));
     fill_rectangle_aa => on.fill_rectangle_aa(a.places[0], a.places[1], Dithered::<_, 4>(c));
     fill_triangle_aa => on.fill_triangle_aa(corners, &mut [], Dithered::<_, 2>(c));
     fill_polygon_aa => with_scratch(|table, cells| on.fill_polygon_aa(a.contour, a.rule(), table, cells, Solid(c)));

@@ -55,8 +55,8 @@ pub trait Antialias: Surface {
     /// Draws a line one pixel wide from one place to another, as bright at any angle: see [`coverage::line`].
     #[doc(alias("drawSmoothLine", "anti_aliased_line"))]
     #[inline]
-    fn draw_line_aa(&mut self, a: PointFx, b: PointFx, cells: &mut [i32], paint: impl Paint<Self>) {
-        coverage::line(a, b, cells, self.window(), Brush::new(self, paint));
+    fn draw_line_aa(&mut self, a: PointFx, b: PointFx, paint: impl Paint<Self>) {
+        coverage::line(a, b, self.window(), Brush::new(self, paint));
     }
 
     /// Fills a rectangle given by two opposite corners.

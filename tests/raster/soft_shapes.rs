@@ -115,6 +115,93 @@ fn rounded_rectangles_cover_their_area() {
     }
 }
 
+/// What is left of a polygon on one side of a line: where its value is not negative.
+fn cut(shape: &[[f64; 2]], value: impl Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
+    let mut left = Vec::new();
+    for (i, &to) in shape.iter().enumerate() {
+        let from = shape[(i + shape.len() - 1) % shape.len()];
+        let (u, v) = (value(from), value(to));
+        if (u < 0.0) != (v < 0.0) {
+            left.push([0, 1].map(|k| from[k] + (to[k] - from[k]) * u / (u - v)));
+        }
+        if v >= 0.0 {
+            left.push(to);
+        }
+    }
+    left
+}
+
+/// How much of a pixel the line from a to b covers, places in units from its centre: a rectangle one pixel wide, without any rounding
+/// of its corners.
+fn covered_by_line(a: (i128, i128), b: (i128, i128)) -> f64 {
+    let length = ((b.0 - a.0) as f64).hypot((b.1 - a.1) as f64);
+    // Whole numbers until the division: nothing cancels out.
+    let across = ((b.0 - a.0) * -a.1 - (b.1 - a.1) * -a.0) as f64 / length / 256.0;
+    let along = |end: (i128, i128)| ((b.0 - a.0) * -end.0 + (b.1 - a.1) * -end.1) as f64 / length / 256.0;
+    let (cos, sin) = ((b.0 - a.0) as f64 / length, (b.1 - a.1) as f64 / length);
+    let beside = |[x, y]: [f64; 2]| across + cos * y - sin * x;
+    let (behind, before) = (along(a), along(b));
+    let mut shape = vec![[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
+    shape = cut(&shape, |p| 0.5 + beside(p));
+    shape = cut(&shape, |p| 0.5 - beside(p));
+    shape = cut(&shape, |[x, y]| behind + cos * x + sin * y);
+    shape = cut(&shape, |[x, y]| -(before + cos * x + sin * y));
+    let product = |i: usize| {
+        let (p, q) = (shape[i], shape[(i + 1) % shape.len()]);
+        p[0] * q[1] - q[0] * p[1]
+    };
+    (0..shape.len()).map(product).sum::<f64>() / 2.0
+}
+
+/// Levels of lines against areas, and the same levels in any window.
+#[test]
+fn lines_are_rectangles_one_pixel_wide() {
+    let mut rng = Rng::new(1_519);
+    let (mut worst, mut nearest, mut pixels) = (0.0_f64, 0_u32, 0_u32);
+    for case in 0..cases(6_000) {
+        let reach = rng.pick(&[40, 300, 900, 3_000, 30_000, 8_000_000, i32::MAX]);
+        let mut place = || (rng.int(-reach, reach), rng.int(-reach, reach));
+        let (a, mut b) = (place(), place());
+        match case % 8 {
+            0 => b.0 = a.0,
+            1 => b.1 = a.1,
+            2 => b.0 = a.0.saturating_add(rng.int(-9, 9)),
+            3 => b.1 = a.1.saturating_add(rng.int(-9, 9)),
+            _ => {}
+        }
+        // Around a place of the line that may be far from its ends.
+        let part = rng.int(0, 1 << 10);
+        let at =
+            |a: i32, b: i32| ((i64::from(a) + (i64::from(b) - i64::from(a)) * i64::from(part) / 1_024) >> 8) as i32;
+        let (x, y) = (at(a.0, b.0), at(a.1, b.1));
+        let window = Rect::new(x - rng.int(0, 20), y - rng.int(0, 20), x + rng.int(1, 20), y + rng.int(1, 20));
+        let [p, q] = [a, b].map(|(x, y)| PointFx::from_bits(x, y));
+        let got = told(window, |_, _, levels| coverage::line(p, q, window, levels));
+        let inner =
+            Rect::new(window.x0 + rng.int(0, 9), window.y0 + rng.int(0, 9), window.x1 - rng.int(0, 9), window.y1);
+        let part = told(inner, |_, _, levels| coverage::line(p, q, inner, levels));
+        for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
+            let from_centre = |(px, py): (i32, i32)| {
+                (i128::from(px) - i128::from(x) * 256 - 128, i128::from(py) - i128::from(y) * 256 - 128)
+            };
+            let wanted = if a == b { 0.0 } else { 255.0 * covered_by_line(from_centre(a), from_centre(b)) };
+            let level = got.at(x, y);
+            let off = (f64::from(level) - wanted).abs();
+            assert!(off < 0.51, "{a:?} {b:?} at ({x}, {y}): {level} for {wanted}\n{}", got.picture());
+            worst = worst.max(off);
+            if wanted > 0.0 {
+                pixels += 1;
+                nearest += u32::from(f64::from(level) == wanted.round());
+            }
+            if inner.contains(x, y) {
+                assert_eq!(part.at(x, y), level, "{a:?} {b:?} at ({x}, {y}) in {inner:?} and in {window:?}");
+            }
+        }
+    }
+    println!("lines: at most {worst} off, {} of {pixels} not the nearest", pixels - nearest);
+    assert!(f64::from(nearest) > 0.997 * f64::from(pixels), "{nearest} of {pixels}");
+}
+
 /// The sum over what a line covers is its length, at any angle and wherever it lies: it is as bright everywhere.
 #[test]
 fn lines_are_as_bright_at_any_angle() {
@@ -129,14 +216,11 @@ fn lines_are_as_bright_at_any_angle() {
             let ends = [(x, y), (x + away(cos), y + away(sin))];
             let [a, b] = ends.map(|(x, y)| PointFx::from_bits(x, y));
             let length = f64::from(ends[1].0 - x).hypot(f64::from(ends[1].1 - y)) / 256.0;
-            let got = told(window, |_, cells, levels| coverage::line(a, b, cells, window, levels));
+            let got = told(window, |_, _, levels| coverage::line(a, b, window, levels));
             let brightness = sum(&got) / length;
             (low, high) = (low.min(brightness), high.max(brightness));
-            let back = told(window, |_, cells, levels| coverage::line(b, a, cells, window, levels));
-            assert!(
-                got.levels.iter().zip(&back.levels).all(|(a, b)| a.abs_diff(*b) <= 2),
-                "{degrees} degrees, and back"
-            );
+            let back = told(window, |_, _, levels| coverage::line(b, a, window, levels));
+            assert!(got.levels == back.levels, "{degrees} degrees, and back");
         }
     }
     println!("lines have a brightness from {low} to {high}");
@@ -148,7 +232,7 @@ fn lines_end_where_they_are_told() {
     let window = Rect::new(0, 0, 8, 3);
     let line = |ax, bx, y| {
         let [a, b] = [PointFx::from_bits(ax, y), PointFx::from_bits(bx, y)];
-        told(window, |_, cells, levels| coverage::line(a, b, cells, window, levels)).levels
+        told(window, |_, _, levels| coverage::line(a, b, window, levels)).levels
     };
     let row = [0, 128, 255, 255, 64, 0, 0, 0];
     assert_eq!(line(384, 1_088, 384), [&[0; 8][..], &row, &[0; 8]].concat());

@@ -81,10 +81,10 @@ fn vertex([x, y]: [i32; 2]) -> PointFx {
 }
 
 fn lines<F: PixelFormat<Color: Channels>>(frame: &mut Frame<F>, lines: &[Segment]) {
-    let (mut surface, _, cells) = frame.parts();
+    let (mut surface, ..) = frame.parts();
     for line in lines {
         let [a, b] = line.ends.map(PointFx::centre_of);
-        surface.draw_line_aa(a, b, cells, paint::<F>(line.ink));
+        surface.draw_line_aa(a, b, paint::<F>(line.ink));
     }
 }
 

@@ -60,7 +60,7 @@ fn own(frame: &mut [u8], shape: &Soft, table: &mut [CoverageSlot], cells: &mut [
         Outline::Curves(_) => frame.fill_path_aa(shape.path(), shape.rule, table, cells, white).expect("slots enough"),
         Outline::Line(..) => {
             let [a, b] = shape.ends().expect("it is one");
-            frame.draw_line_aa(a, b, cells, white);
+            frame.draw_line_aa(a, b, white);
         }
     }
 }

@@ -136,7 +136,7 @@ impl World {
         for line in &self.grid {
             for ends in line.windows(2) {
                 let [a, b] = [ends[0], ends[1]].map(PointFx::centre_of);
-                sums.draw_line_aa(a, b, cells, Add(Part::Grid.rgb()));
+                sums.draw_line_aa(a, b, Add(Part::Grid.rgb()));
             }
         }
         sums.fill_window(Part::Sea.rgb());

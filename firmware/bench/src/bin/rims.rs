@@ -119,16 +119,16 @@ fn lines(name: &str, list: &[Segment], memory: &mut [u8], scratch: &mut Scratch)
     let shape = Shape {
         name,
         flat: &|frame, _| list.iter().for_each(|line| frame.draw_line(line.ends[0], line.ends[1], RED)),
-        soft: &|frame, s| {
+        soft: &|frame, _| {
             for line in list {
                 let [a, b] = ends(line);
-                frame.draw_line_aa(a, b, &mut s.cells, Cover(RED));
+                frame.draw_line_aa(a, b, Cover(RED));
             }
         },
-        told: &|told, s| {
+        told: &|told, _| {
             for line in list {
                 let [a, b] = ends(line);
-                coverage::line(a, b, &mut s.cells, WINDOW, &mut *told);
+                coverage::line(a, b, WINDOW, &mut *told);
             }
         },
     };
