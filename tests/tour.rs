@@ -62,7 +62,13 @@ const PAGES: [Page; 4] = [
     Page {
         text: "src/tour.md",
         data: "src/tour.md",
-        programs: &[("first-program", first_program), ("paints", paints), ("dither", dither), ("soft-rims", soft_rims), ("reading", reading)],
+        programs: &[
+            ("first-program", first_program),
+            ("paints", paints),
+            ("dither", dither),
+            ("soft-rims", soft_rims),
+            ("reading", reading),
+        ],
         others: &[("places", places)],
         files: &[("world-map", "docs/world_map.png"), ("shapes", "docs/shapes.png"), ("teapots", "docs/teapot.png")],
     },
@@ -155,7 +161,7 @@ fn soft_rims() -> Result<Picture, Error> {
     let (dial, hand) = (Ellipse::circle(PointFx::px(32, 24), px(21)), [PointFx::px(32, 24), PointFx::px(46, 12)]);
     frame.fill_ellipse_aa(dial, &mut table, &mut cells, Cover(Gray8::new(120)))?;
     frame.stroke_line_aa(hand, &Stroke::px(3), &mut table, &mut cells, Cover(Gray8::WHITE))?;
-    frame.draw_line_aa(PointFx::px(32, 24), PointFx::px(25, 8), &mut cells, Cover(Gray8::WHITE));
+    frame.draw_line_aa(PointFx::px(32, 24), PointFx::px(25, 8), Cover(Gray8::WHITE));
     Ok(Picture::of(&frame).zoomed(ZOOM))
 }
 

@@ -88,37 +88,38 @@ struct Basin<'a, 'b> {
 }
 
 impl Basin<'_, '_> {
-    fn corner(&self) -> Point {
+    /// The top left corner of the tile.
+    fn corner() -> Point {
         Point::new(page::SEED.x - 32, page::SEED.y - 4)
     }
 
     /// The bits of a span in the tile: `x0..x1` of a row.
-    fn bits(&self, x0: i32, x1: i32) -> u64 {
-        let below = |x: i32| match u32::try_from(x - self.corner().x).unwrap_or(0) {
+    fn bits(x0: i32, x1: i32) -> u64 {
+        let below = |x: i32| match u32::try_from(x - Self::corner().x).unwrap_or(0) {
             64.. => u64::MAX,
             n => (1 << n) - 1,
         };
         below(x1) & !below(x0)
     }
 
-    fn row(&self, y: i32) -> usize {
-        usize::try_from(y - self.corner().y).unwrap_or(0)
+    fn row(y: i32) -> usize {
+        usize::try_from(y - Self::corner().y).unwrap_or(0)
     }
 }
 
 impl FloodTarget for Basin<'_, '_> {
     fn window(&self) -> Rect {
-        let Point { x, y } = self.corner();
+        let Point { x, y } = Self::corner();
         Rect::new(x, y, x + 64, y + 60).intersection(self.page.window())
     }
 
     fn is_open(&self, x: i32, y: i32) -> bool {
-        let wet = self.is_wet.get(self.row(y)).is_none_or(|row| row & self.bits(x, x + 1) != 0);
+        let wet = self.is_wet.get(Self::row(y)).is_none_or(|row| row & Self::bits(x, x + 1) != 0);
         !wet && self.page.get((x, y)) == Some(PAPER)
     }
 
     fn paint(&mut self, span: ClippedSpan) {
-        let (row, bits) = (self.row(span.y()), self.bits(span.x0(), span.x1()));
+        let (row, bits) = (Self::row(span.y()), Self::bits(span.x0(), span.x1()));
         if let Some(wet) = self.is_wet.get_mut(row) {
             *wet |= bits;
         }

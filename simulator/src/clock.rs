@@ -47,31 +47,31 @@ pub fn clock(screen: Screen, size: u16, time: Time, rows: u16) -> Result<Picture
     match screen {
         Screen::Mono => {
             let on = |ink| BinaryColor::from(!matches!(ink, Ink::Ground | Ink::Dial));
-            let mut ram = bands::<BinaryColor, _>(&face, rows, on(Ink::Ground), |ink| Dithered::<_, 4>(on(ink)))?;
+            let mut ram = bands::<BinaryColor, _>(face, rows, on(Ink::Ground), |ink| Dithered::<_, 4>(on(ink)))?;
             Ok(Picture::of(&Framebuffer::<BinaryColor>::new(&mut ram[..], size, size)?))
         }
         Screen::Gray4 => {
             let gray = |ink| Gray4::from(Gray8::from(rgb(ink)));
-            let mut ram = bands::<Gray4, _>(&face, rows, gray(Ink::Ground), |ink| Cover(gray(ink)))?;
+            let mut ram = bands::<Gray4, _>(face, rows, gray(Ink::Ground), |ink| Cover(gray(ink)))?;
             Ok(Picture::of(&Framebuffer::<Gray4>::new(&mut ram[..], size, size)?))
         }
         Screen::Palette16 => {
             let index = |ink| Index4::new(entry(ink));
             let make: fn(u8) -> Index4 = Index4::new;
             let paint = |ink| CoverIndex::new(&palette, index(ink), make);
-            let mut ram = bands::<Index4, _>(&face, rows, index(Ink::Ground), paint)?;
+            let mut ram = bands::<Index4, _>(face, rows, index(Ink::Ground), paint)?;
             Ok(Picture::indexed(&Framebuffer::<Index4>::new(&mut ram[..], size, size)?, &palette))
         }
         Screen::Rgb565 => {
             let color = |ink| Rgb565::from(rgb(ink));
-            let mut ram = bands::<Rgb565, _>(&face, rows, color(Ink::Ground), |ink| Cover(color(ink)))?;
+            let mut ram = bands::<Rgb565, _>(face, rows, color(Ink::Ground), |ink| Cover(color(ink)))?;
             Ok(Picture::of(&Framebuffer::<Rgb565>::new(&mut ram[..], size, size)?))
         }
     }
 }
 
 /// The bytes of the screen, drawn band by band.
-fn bands<C, P>(face: &Face, rows: u16, ground: C, paint: impl Fn(Ink) -> P) -> Result<Vec<u8>, Error>
+fn bands<C, P>(face: Face, rows: u16, ground: C, paint: impl Fn(Ink) -> P) -> Result<Vec<u8>, Error>
 where
     C: PixelColor + PixelFormat<Color = C>,
     P: for<'a> Paint<Framebuffer<'a, C>>,

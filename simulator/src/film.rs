@@ -43,9 +43,12 @@ pub fn apng<E: From<io::Error>>(count: u16, mut next: impl FnMut(u16) -> Result<
 pub(crate) fn timed_apng(pictures: &[(Picture, u16)]) -> io::Result<Vec<u8>> {
     let (first, _) = pictures.first().ok_or_else(|| invalid("no pictures"))?;
     let has_one = pictures.iter().all(|(picture, _)| kind(picture) == kind(first));
-    let kept = |picture: &Picture| match has_one {
-        true => picture.clone(),
-        false => Picture::from_colors(picture.width(), picture.height(), picture.colors().collect()),
+    let kept = |picture: &Picture| {
+        if has_one {
+            picture.clone()
+        } else {
+            Picture::from_colors(picture.width(), picture.height(), picture.colors().collect())
+        }
     };
     let (first, mut file) = (kept(first), Vec::new());
     let mut encoder = png::encoder(&first, &mut file)?;

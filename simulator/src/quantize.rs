@@ -29,6 +29,7 @@ use crate::picture::Picture;
 /// Sources: X. Wu, "Color Quantization by Dynamic Programming and Principal Analysis", ACM Transactions on Graphics 11, 1992;
 /// J. MacQueen, "Some Methods for Classification and Analysis of Multivariate Observations", 1967; B. Ottosson, "A perceptual color
 /// space for image processing", 2020.
+#[expect(clippy::doc_markdown, reason = "a name in it is written so")]
 pub fn palette(picture: &Picture, count: usize) -> Vec<Rgb888> {
     let count = count.clamp(1, 256);
     let mut found = distinct(picture.colors());

@@ -72,13 +72,7 @@ pub fn full() -> Result<()> {
 }
 
 /// * `cases`, `switched_cases`: how many of the random cases, in per cent.
-fn quick(
-    cases: u32,
-    switched_tests: &[&[&str]],
-    switched_cases: u32,
-    columns: Columns,
-    proofs: Proofs,
-) -> Result<()> {
+fn quick(cases: u32, switched_tests: &[&[&str]], switched_cases: u32, columns: Columns, proofs: Proofs) -> Result<()> {
     cargo_step("format", &["fmt", "--all", "--check"])?;
     // Side by side, in folders of their own: much of either is a single crate or a single test, which leaves a core idle.
     thread::scope(|scope| {

@@ -111,16 +111,16 @@ pub struct Face {
 
 impl Face {
     /// So many thousandths of the half size, in units.
-    fn scaled(&self, thousandths: i32) -> i32 {
+    fn scaled(self, thousandths: i32) -> i32 {
         i32::from(self.size) * 128 * thousandths / 1000
     }
 
-    fn length(&self, thousandths: i32) -> I24F8 {
+    fn length(self, thousandths: i32) -> I24F8 {
         I24F8::from_bits(self.scaled(thousandths).max(128))
     }
 
     /// A place so far from the centre, in a direction that is clockwise from the top.
-    fn at(&self, direction: Angle, thousandths: i32) -> PointFx {
+    fn at(self, direction: Angle, thousandths: i32) -> PointFx {
         let (cos, sin) = direction.plus(-(1 << 30)).cos_sin();
         let radius = i64::from(self.scaled(thousandths));
         let away = |part: i32| ((radius * i64::from(part) + (1 << 29)) >> 30) as i32;
@@ -133,7 +133,7 @@ impl Face {
     /// # Errors
     /// `table` is shorter than [`SLOTS`].
     pub fn draw<S: Surface, P: Paint<S>>(
-        &self,
+        self,
         on: &mut S,
         table: &mut [CoverageSlot],
         cells: &mut [i32],
@@ -172,7 +172,7 @@ impl Face {
 
     /// A hand that tapers to its tip.
     fn hand<S: Surface, P: Paint<S>>(
-        &self,
+        self,
         on: &mut S,
         direction: Angle,
         (length, width): (i32, i32),
@@ -186,7 +186,7 @@ impl Face {
     }
 
     fn numeral<S: Surface, P: Paint<S>>(
-        &self,
+        self,
         on: &mut S,
         hour: u8,
         table: &mut [CoverageSlot],

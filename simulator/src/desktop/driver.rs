@@ -215,7 +215,7 @@ impl<'a> Desk<'a> {
     /// Says what was written, if anything was, or why not.
     fn tell(&mut self, host: &mut impl Host, written: io::Result<Option<PathBuf>>) {
         match written {
-            Ok(None) => return,
+            Ok(None) => {}
             Ok(Some(path)) => self.note(host, &format!("{} written", path.display())),
             Err(error) => self.note(host, &error.to_string()),
         }

@@ -96,12 +96,11 @@ impl Host for Glass {
     }
 
     fn show(&mut self, pixels: Option<(&[u32], (usize, usize))>) -> Result<(), WindowError> {
-        match pixels {
-            Some((pixels, (width, height))) => self.window.update_with_buffer(pixels, width, height),
-            None => {
-                self.window.update();
-                Ok(())
-            }
+        if let Some((pixels, (width, height))) = pixels {
+            self.window.update_with_buffer(pixels, width, height)
+        } else {
+            self.window.update();
+            Ok(())
         }
     }
 
