@@ -20,6 +20,11 @@ use embedded_raster::{
     surface::Paged,
     Canvas, EdgeSlot, FillRule, Framebuffer, Index1, Index2, Index4, Index8, PixelFormat, PointFx, Rect, Surface,
 };
+use embedded_text::{
+    alignment::{HorizontalAlignment, VerticalAlignment},
+    style::TextBoxStyleBuilder,
+    TextBox,
+};
 use tinybmp::Bmp;
 use u8g2_fonts::{
     fonts::{u8g2_font_6x12_mr, u8g2_font_helvB08_tr},
@@ -93,6 +98,22 @@ fn u8g2_text<D: DrawTarget<Color: From<Rgb888>, Error: Debug>>(target: &mut D) -
     Ok(())
 }
 
+/// A text that is wrapped, in a box that leaves the screen on three sides.
+fn text_box<D: DrawTarget<Color: From<Rgb888>>>(target: &mut D) -> Result<(), D::Error> {
+    let (light, other) = colors::<D::Color>();
+    let inverse = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(light).background_color(other).build();
+    let plain = MonoTextStyle::new(&FONT_6X10, light);
+    let area = |x, y, width, height| Rectangle::new(Point::new(x, y), Size::new(width, height));
+    let justified = TextBoxStyleBuilder::new().alignment(HorizontalAlignment::Justified).build();
+    TextBox::with_textbox_style("Quick fox is on\nit", area(-3, -4, 52, 30), plain, justified).draw(target)?;
+    let low = TextBoxStyleBuilder::new()
+        .alignment(HorizontalAlignment::Right)
+        .vertical_alignment(VerticalAlignment::Bottom)
+        .build();
+    TextBox::with_textbox_style("and on a ground", area(20, 18, 45, 24), inverse, low).draw(target)?;
+    Ok(())
+}
+
 fn images<D>(target: &mut D) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: From<Rgb555> + From<Rgb565> + From<Rgb888>>,
@@ -131,6 +152,11 @@ fn text_is_the_same_in_both() {
         u8g2_text in Index4 as RawU4;
         u8g2_text in Index8 as RawU8;
         u8g2_text in Rgb565 as RawU16;
+        text_box in Index1 as RawU1;
+        text_box in Index2 as RawU2;
+        text_box in Index4 as RawU4;
+        text_box in Rgb565 as RawU16;
+        text_box in Rgb888 as RawU24;
     }
 }
 
