@@ -2,6 +2,7 @@
 //! that learn.
 
 use twins::{
+    pictures,
     rng::{cases, Rng},
     targets, texts,
 };
@@ -47,4 +48,19 @@ fn texts() {
 #[test]
 fn packed_paths() {
     run(5, 12, targets::packed);
+}
+
+#[test]
+fn pictures_in_every_way() {
+    run(6, 30, pictures::blits);
+}
+
+#[test]
+fn patterns() {
+    run(7, 80, pictures::patterns);
+}
+
+#[test]
+fn error_diffusion() {
+    run(8, 40, pictures::diffusion);
 }

@@ -18,34 +18,10 @@ use embedded_raster::{
     pixel::{Atkinson, ColorCube, FloydSteinberg, EGA},
     Framebuffer, Palette, Readable, Rect, Span,
 };
-use twins::rng::{cases, Rng};
-
-/// Where parts of an error go: columns to the right, rows down, and how many parts.
-type Parts = &'static [(i32, i32, i64)];
-
-const FLOYD_STEINBERG: (Parts, i64) = (&[(1, 0, 7), (-1, 1, 3), (0, 1, 5), (1, 1, 1)], 16);
-const ATKINSON: (Parts, i64) = (&[(1, 0, 1), (2, 0, 1), (-1, 1, 1), (0, 1, 1), (1, 1, 1), (0, 2, 1)], 8);
-
-/// The picture that a rule makes of levels.
-fn model(levels: &[u8], width: i32, (parts, all): (Parts, i64), shown: impl Fn(u8) -> u8) -> Vec<u8> {
-    let height = levels.len() as i32 / width;
-    let mut handed = vec![0_i64; levels.len()];
-    let mut picture = vec![];
-    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let here = (y * width + x) as usize;
-        // To the nearest, halves upwards.
-        let level = i64::from(levels[here]) + (2 * handed[here] + all).div_euclid(2 * all);
-        let level = level.clamp(0, 255) as u8;
-        let error = i64::from(level) - i64::from(shown(level));
-        for &(right, down, part) in parts {
-            if (0..width).contains(&(x + right)) && y + down < height {
-                handed[((y + down) * width + x + right) as usize] += part * error;
-            }
-        }
-        picture.push(shown(level));
-    }
-    picture
-}
+use twins::{
+    pictures::{diffused, ATKINSON, FLOYD_STEINBERG},
+    rng::{cases, Rng},
+};
 
 #[test]
 fn errors_go_where_the_rule_says() {
@@ -63,12 +39,12 @@ fn errors_go_where_the_rule_says() {
         let mut row = vec![[rng.bits() as i16]; width as usize];
         let mut diffusion = FloydSteinberg::new(&mut row);
         let picture: Vec<u8> = levels.iter().map(|&level| diffusion.next([level], nearest)).collect();
-        assert_eq!(picture, model(&levels, width, FLOYD_STEINBERG, shown), "{width} wide, of {palette:?}");
+        assert_eq!(picture, diffused(&levels, width, FLOYD_STEINBERG, shown), "{width} wide, of {palette:?}");
 
         let mut row = vec![[[rng.bits() as i16]; 2]; width as usize];
         let mut diffusion = Atkinson::new(&mut row);
         let picture: Vec<u8> = levels.iter().map(|&level| diffusion.next([level], nearest)).collect();
-        assert_eq!(picture, model(&levels, width, ATKINSON, shown), "{width} wide, of {palette:?}, by Atkinson");
+        assert_eq!(picture, diffused(&levels, width, ATKINSON, shown), "{width} wide, of {palette:?}, by Atkinson");
     }
 }
 
@@ -85,7 +61,7 @@ fn channels_do_not_mix() {
     for channel in 0..3 {
         let levels: Vec<u8> = pixels.iter().map(|rgb| rgb[channel]).collect();
         let got: Vec<u8> = picture.iter().map(|rgb| rgb[channel]).collect();
-        assert_eq!(got, model(&levels, 15, FLOYD_STEINBERG, shown));
+        assert_eq!(got, diffused(&levels, 15, FLOYD_STEINBERG, shown));
     }
 }
 
@@ -110,7 +86,7 @@ fn a_picture_is_dithered_in_place_and_through_a_draw_target() {
     let mut rng = Rng::new(3);
     let levels: Vec<u8> = (0..20 * 10).map(|_| rng.bits() as u8).collect();
     let shown = |level: u8| if level >= 128 { 255 } else { 0 };
-    let wanted = model(&levels, 20, FLOYD_STEINBERG, shown);
+    let wanted = diffused(&levels, 20, FLOYD_STEINBERG, shown);
 
     let mut ram = levels.clone();
     let mut frame = Framebuffer::<Gray8>::new(&mut ram, 20, 10).unwrap();

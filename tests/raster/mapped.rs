@@ -11,7 +11,10 @@ use embedded_raster::{
     raster::{mapped, polygon},
     Affine, Angle, ClippedSpan, EdgeSlot, FillRule, MapTooLarge, PointFx, Rect,
 };
-use twins::rng::{cases, Rng};
+use twins::{
+    pictures::texel,
+    rng::{cases, Rng},
+};
 
 /// Runs of pixels as pixels with texels.
 #[derive(Default)]
@@ -32,24 +35,6 @@ fn drawn(map: &Affine, (width, height): (u32, u32), window: Rect) -> Vec<((i32, 
     let mut seen = Seen::default();
     mapped::fill(map, Size::new(width, height), window, |span, texels| seen.run(span, texels)).unwrap();
     seen.0
-}
-
-/// The texel at the centre of a pixel, in ratios of 128 bits. A centre on an edge stands a little to the right and, much less, down.
-fn texel(map: &Affine, (width, height): (u32, u32), (x, y): (i32, i32)) -> Option<(i32, i32)> {
-    let [xx, xy, yx, yy, dx, dy] = [map.xx, map.xy, map.yx, map.yy, map.dx, map.dy].map(|n| i128::from(n.to_bits()));
-    let (right, down) = (i128::from(x) * 65_536 + 32_768 - dx, i128::from(y) * 65_536 + 32_768 - dy);
-    let d = xx * yy - xy * yx;
-    let floor = |a: i128, b: i128| {
-        let (a, b, d) = if d < 0 { (-a, -b, -d) } else { (a, b, d) };
-        let twice = 2 * (a * right + b * down) - i128::from((a, b) < (0, 0));
-        twice.div_euclid(2 * d)
-    };
-    if d == 0 {
-        return None;
-    }
-    let (column, row) = (floor(yy, -xy), floor(-yx, xx));
-    let is_in = (0..i128::from(width)).contains(&column) && (0..i128::from(height)).contains(&row);
-    is_in.then_some((column as i32, row as i32))
 }
 
 fn wanted(map: &Affine, size: (u32, u32), window: Rect) -> Vec<((i32, i32), (i32, i32))> {

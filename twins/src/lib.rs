@@ -34,6 +34,7 @@ pub mod meshes;
 pub mod offsets;
 pub mod outlines;
 pub mod packed;
+pub mod pictures;
 pub mod planes;
 pub mod rng;
 pub mod rounds;

@@ -279,7 +279,7 @@ pub fn text(input: &mut Input<'_>) -> String {
 }
 
 /// A surface that keeps the last colour of each pixel, and fails where one is painted outside of its window.
-struct Last(Rect, BTreeMap<(i64, i64), Gray8>);
+pub(crate) struct Last(pub(crate) Rect, pub(crate) BTreeMap<(i64, i64), Gray8>);
 
 impl Surface for Last {
     type Color = Gray8;
