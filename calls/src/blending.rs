@@ -5,7 +5,7 @@ use embedded_raster::{
     paint::{Add, Cover, CoverGamma, Gamma, Masked},
     pixel::Argb8888,
     surface::{Accumulator, Sum},
-    Antialias, Bitmap, Canvas, ClippedSpan, Framebuffer, Layout, Pictures,
+    Antialias, Bitmap, Canvas, ClippedSpan, Framebuffer, Layout, Palette, Pictures,
 };
 
 use crate::{answer::sum, calls, Arguments};
@@ -40,6 +40,7 @@ calls! {
         on.fill_triangle_aa(corners, &mut [], CoverGamma { color, gamma: &SRGB });
         SRGB.between([color, under], r) == color
     };
+    fade => SRGB.fade([&Palette::new([color, under]), &Palette::new([under; 2])], q).get(r) == Some(color);
     [Accumulator]
     new => accumulated(a, |_, _| ());
     clear => accumulated(a, |sums, _| sums.clear());

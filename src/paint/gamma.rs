@@ -24,7 +24,7 @@
 use super::{cover::level_at, solid::in_one_color, traits::Paint};
 use crate::{
     num::cast::{low_u16, low_u32, low_u8},
-    pixel::Channels,
+    pixel::{Channels, Palette},
     span::ClippedSpan,
     surface::Readable,
 };
@@ -96,6 +96,24 @@ impl Gamma {
         // Of a channel with all bits set, the largest number.
         let most = C::mixed([after], |_| u8::MAX);
         C::mixed([before, after, most], |[a, b, most]| self.mean([a, b], most, level))
+    }
+
+    /// The table whose light is `level` of 255 parts on the way to that of another one, entry by entry: a fade that is even to the eye.
+    /// [`Palette::between`] is the same of levels.
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+    /// use embedded_raster::{paint::Gamma, Palette};
+    /// static SRGB: Gamma = Gamma::SRGB;
+    /// let [day, night] = [Rgb888::WHITE, Rgb888::BLACK].map(|color| Palette::new([color; 16]));
+    /// assert_eq!(SRGB.fade([&night, &day], 128).get(3), Some(Rgb888::new(188, 188, 188)));
+    /// ```
+    #[must_use]
+    pub fn fade<C: Channels, const N: usize>(&self, [before, after]: [&Palette<C, N>; 2], level: u8) -> Palette<C, N> {
+        let mut colors = *before.colors();
+        for (color, &after) in colors.iter_mut().zip(after.colors()) {
+            *color = self.between([*color, after], level);
+        }
+        Palette::new(colors)
     }
 
     /// Of two levels of a channel whose largest one is `most`.

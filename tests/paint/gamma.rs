@@ -5,7 +5,7 @@ use embedded_raster::{
     paint::{CoverGamma, Gamma},
     pixel::Channels,
     raster::coverage,
-    Antialias, Frame, PointFx, Rect,
+    Antialias, Frame, Palette, PointFx, Rect,
 };
 use twins::{
     coverage::Levels,
@@ -90,6 +90,9 @@ fn what_is_light_stays_so() {
         let ends = [Gray8::new(a), Gray8::new(200)];
         assert_eq!(line.between(ends, level), Gray8::between(ends, level), "{level} from {a} to 200");
         assert_eq!([SRGB.between(ends, 0), SRGB.between(ends, 255)], ends, "the ends");
+        let tables = [Palette::new(ends), Palette::new([ends[1], ends[0]])];
+        let faded = Palette::new([SRGB.between(ends, level), SRGB.between([ends[1], ends[0]], level)]);
+        assert_eq!(SRGB.fade([&tables[0], &tables[1]], level), faded, "entry by entry");
     }
 }
 
