@@ -13,6 +13,7 @@
 mod bench;
 mod cost;
 mod coverage;
+mod dither;
 mod engine;
 mod frame;
 mod judge;
@@ -50,6 +51,7 @@ cargo run --release -p lab -- [OPTIONS]
   --coverage    soft rims: writes coverage.md instead
   --rims        only soft rims beside a loop of stores: printed
   --stores      only shaded triangles beside a loop of stores: printed
+  --dither      what the eye sees of ordered dither: printed
   --samples     counts values that are not as promised, of tens of millions; fails when there is one
 
 The peers that shade triangles take part in --shading and --stores with `--features peers-3d`, those that antialias in
@@ -66,6 +68,7 @@ enum What {
     Samples,
     Coverage,
     Rims,
+    Dither,
 }
 
 struct Options {
@@ -92,6 +95,7 @@ fn options() -> Result<Options> {
             Long("stores") => options.what = What::Stores,
             Long("coverage") => options.what = What::Coverage,
             Long("rims") => options.what = What::Rims,
+            Long("dither") => options.what = What::Dither,
             Long("samples") => options.what = What::Samples,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
@@ -298,6 +302,10 @@ fn main() -> Result<()> {
         }
         What::Rims => {
             println!("{}", coverage::stores::report(quick));
+            Ok(())
+        }
+        What::Dither => {
+            print!("{}", dither::report());
             Ok(())
         }
         What::Samples => shading::samples::run(quick),
