@@ -107,18 +107,15 @@ impl Host for Glass {
     fn happened(&mut self) -> Happened {
         let button = |button| self.window.get_mouse_down(button);
         #[expect(clippy::cast_possible_truncation, reason = "casts of floats stop at the ends of the range")]
-        let [place, wheel] = [
-            self.window.get_mouse_pos(MouseMode::Pass).map(|(x, y)| (x.floor() as i32, y.floor() as i32)),
-            self.window.get_scroll_wheel().map(|(_, y)| (0, y.signum() as i32)),
-        ];
+        let whole = |n: f32| n.floor() as i32;
         Happened {
             now: self.now(),
             size: self.size(),
             keys: self.keys.take(),
             is_active: self.window.is_active(),
-            mouse: place.unwrap_or_default(),
+            mouse: self.window.get_mouse_pos(MouseMode::Pass).map_or((0, 0), |(x, y)| (whole(x), whole(y))),
             buttons: [MouseButton::Left, MouseButton::Middle, MouseButton::Right].map(button),
-            wheel: wheel.map_or(0, |(_, steps)| steps),
+            wheel: self.window.get_scroll_wheel().map_or(0, |(_, y)| i32::from(y > 0.0) - i32::from(y < 0.0)),
         }
     }
 

@@ -198,7 +198,8 @@ mod tests {
             assert_eq!(recorder.finish(millis(199))?, Some(folder.join("game-1.apng")), "at the end");
             assert_eq!(Picture::read_png(folder.join("game-1.apng"))?, dot(2), "an APNG is a PNG");
             recorder.toggle(Kind::Apng, &dot(0), millis(0))?;
-            let ends = (1..=MOST as u64).map(|n| recorder.see(&dot((n % 2) as u8), millis(40 * n)));
+            let dots = [1, 0].into_iter().cycle().zip(1..=MOST as u64);
+            let ends = dots.map(|(red, n)| recorder.see(&dot(red), millis(40 * n)));
             let written: Vec<_> = ends.collect::<io::Result<Vec<_>>>()?.into_iter().flatten().collect();
             assert_eq!(written, [folder.join("game-2.apng")], "the longest film");
             Ok(())
