@@ -19,7 +19,7 @@ use embedded_raster::{
     },
     surface::{paged_bytes, Counter, Sheet},
     Affine, Angle, Canvas, ClippedSpan, CoverageSlot, Ellipse, Framebuffer, Index1, Index2, Index4, Index8, Layout,
-    Octants, Palette, Path, PointFx, Radii, Rect, Sector, Sink, Steps, Stroke, Surface, Viewport,
+    Octants, Palette, Path, PointFx, Radii, Rect, Sector, Sink, SoftRow, Steps, Stroke, Surface, Viewport,
 };
 use fixed::types::I16F16;
 
@@ -241,6 +241,15 @@ calls! {
     from => Rectangle::from(area);
     [Span]
     clip => a.span().clip(other);
+    [SoftRow]
+    span => soft_rows(a.corners_fx(), window, |row| row.span());
+    left => soft_rows(a.corners_fx(), window, |row| sum(row.left().iter().copied()));
+    right => soft_rows(a.corners_fx(), window, |row| sum(row.right().iter().copied()));
+    each => soft_rows(a.corners_fx(), window, |row| {
+        let mut sum = 0;
+        row.each(|span, levels| sum = (sum, (span, levels.is_some())).answer());
+        sum
+    });
     [ClippedSpan]
     y => a.span().clip(other).map(ClippedSpan::y);
     x0 => a.span().clip(other).map(ClippedSpan::x0);
@@ -468,6 +477,26 @@ fn add(sum: &mut usize) -> impl FnMut(ClippedSpan) + '_ {
 fn spans(shape: impl FnOnce(&mut dyn FnMut(ClippedSpan))) -> usize {
     let mut sum = 0;
     shape(&mut add(&mut sum));
+    sum
+}
+
+/// A sink that computes a sum of what a function says of rows with rims.
+struct SoftRows<'a, F>(&'a mut usize, F);
+
+impl<R: Answer, F: Fn(SoftRow<'_>) -> R> Sink for SoftRows<'_, F> {
+    fn span(&mut self, span: ClippedSpan) {
+        *self.0 = (*self.0, span).answer();
+    }
+
+    fn soft_row(&mut self, row: SoftRow<'_>) {
+        *self.0 = (*self.0, (self.1)(row)).answer();
+    }
+}
+
+/// What a function says of the rows of a triangle.
+fn soft_rows<R: Answer>(corners: [PointFx; 3], window: Rect, of: impl Fn(SoftRow<'_>) -> R) -> usize {
+    let mut sum = 0;
+    coverage::triangle(corners, &mut [], window, SoftRows(&mut sum, of));
     sum
 }
 

@@ -48,14 +48,15 @@ use embedded_raster::{
     pipeline::Dot,
     pixel::Lsb0,
     raster::{
+        coverage,
         flood::{Connectivity, FloodSlot},
         polygon::drop_out::DropOut,
         rounded::Align,
         triangle,
     },
     surface::{Rows, Sheet, Stencil},
-    Antialias, Bitmap, Canvas, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment, Pictures,
-    PointFx, Radii, Readable, Rect, Sector, Sink, Solid, Span, Stroke, Surface,
+    Antialias, Bitmap, Canvas, ClippedSpan, EdgeSlot, Ellipse, FillRule, Frame, Index1, Layout, Path, PathSegment,
+    Pictures, PointFx, Radii, Readable, Rect, Sector, Sink, SoftRow, Solid, Span, Stroke, Surface,
 };
 use fixed::types::I24F8;
 use shading::with_depths;
@@ -461,6 +462,10 @@ calls! {
         same
     });
     edit_span => a.span().clip(window).map(|span| on.edit_span(span, |x, old| if old == c { a.alternate(x) } else { old }));
+    mix_span => a.span().clip(window).map(|span| {
+        on.mix_span(span, a.bytes, |old, level| if level & 1 == 0 { old } else { a.alternate(level.into()) });
+    });
+    mix_row => coverage::triangle(a.corners_fx(), &mut [], window, Mixed(on, c));
     find => a.span().clip(window).map_or(0, |span| on.find(span, |color| color == c));
     find_start => a.span().clip(window).map_or(0, |span| on.find_start(span, |color| color == c));
     // Counted from the row above the window: only what a surface without corridors says is 0.
@@ -469,6 +474,20 @@ calls! {
         row.map(|row| row.wrapping_sub(window.y0).wrapping_add(1))
     };
     copy_area => on.copy_area(a.areas[0], a.points[0], None);
+}
+
+/// Paints rows as a whole, and of their rims what is covered by half or more.
+struct Mixed<'a, S: Surface>(&'a mut S, S::Color);
+
+impl<S: Readable> Sink for Mixed<'_, S> {
+    fn span(&mut self, span: ClippedSpan) {
+        self.0.fill_span(span, self.1);
+    }
+
+    fn soft_row(&mut self, row: SoftRow<'_>) {
+        let color = self.1;
+        self.0.mix_row(row, color, |old, level| if level < 128 { old } else { color });
+    }
 }
 
 impl<L: Layout> Arguments<'_, L> {
