@@ -11,9 +11,10 @@ use twins::rng::Rng;
 
 use super::{
     arc::{self, Sector},
+    chord,
     coverage::{self, CoverageSlot},
     ellipse::{self, Ellipse},
-    line, polygon, rectangle,
+    gauge, line, polygon, rectangle,
     rounded::{self, Radii},
     triangle,
 };
@@ -113,6 +114,8 @@ struct Scene {
     area: Rect,
     ellipse: Ellipse,
     hole: Ellipse,
+    /// Of a ring, in pixels.
+    width: i32,
     sector: Sector,
     radii: Radii,
 }
@@ -154,6 +157,7 @@ impl Scene {
             area: outer,
             ellipse,
             hole: if rng.one_in(2) { Ellipse::in_box(area(rng)) } else { ellipse },
+            width: rng.int(0, 90) >> rng.int(0, 6),
             sector: Sector::new(angle(rng), angle(rng)),
             radii: Radii { top_left: rng.int(0, 90).unsigned_abs(), ..Radii::all(number(rng).unsigned_abs()) },
         }
@@ -204,7 +208,7 @@ impl Scene {
 
     /// Of curves.
     fn round(&self) -> Vec<Shape<'_>> {
-        let Self { window: w, area, ellipse, hole, sector, radii, .. } = *self;
+        let Self { window: w, area, ellipse, hole, width, sector, radii, .. } = *self;
         let in_box = Ellipse::in_box(area);
         let (rows, columns) = shared(area, w);
         let [both, free, hidden] = [area, ellipse.extent(), hole.extent()].map(|extent| {
@@ -213,6 +217,10 @@ impl Scene {
         });
         let bisected = 4 * rows * log(columns);
         let free_rows = shared(ellipse.extent(), w).0;
+        // A disc of a gauge has a part of a ray as its diameter, so it reaches beyond the box of the ring by half of a radius at most.
+        let inner = Ellipse::in_box(area.inset(width));
+        let beyond = i32::try_from(area.width().max(area.height()) / 4).expect("below 2^30") + 1;
+        let (gauge_rows, gauge_columns) = shared(area.inset(-beyond), w);
         vec![
             ("ellipse", Box::new(move |s| ellipse::fill(ellipse, w, s)), 2 * free, free_rows),
             ("ellipse, in a box", Box::new(move |s| ellipse::fill(in_box, w, s)), 2 * both, rows),
@@ -224,6 +232,15 @@ impl Scene {
                 Box::new(move |s| arc::ring_sector(in_box, hole, sector, w, s)),
                 2 * (both + hidden) + bisected,
                 6 * rows,
+            ),
+            // A bisection for each row that the chord crosses.
+            ("chord", Box::new(move |s| chord::fill(in_box, sector, w, s)), 2 * both + rows * log(columns), rows),
+            // That of the sector of the ring, and of two discs; then all rows are gone through together.
+            (
+                "gauge",
+                Box::new(move |s| gauge::fill(in_box, inner, sector, w, s)),
+                8 * (gauge_rows + gauge_columns) + bisected,
+                8 * gauge_rows,
             ),
             ("rounded", Box::new(move |s| rounded::fill(area, radii, w, s)), 3 * rows + 8 * columns, rows),
             (
@@ -240,8 +257,8 @@ impl Scene {
 fn work_is_bounded_by_what_the_window_shows() {
     let mut rng = Rng::new(550);
     // How often a shape was seen, and the most of a bound that was needed, in hundredths.
-    let (mut shown, mut used) = (vec![0_usize; 15], vec![0_usize; 15]);
-    for _ in 0..4_000 {
+    let (mut shown, mut used) = (vec![0_usize; 17], vec![0_usize; 17]);
+    for _ in 0..5_000 {
         let scene = Scene::random(&mut rng);
         for (i, (name, draw, most, calls)) in scene.straight().into_iter().chain(scene.round()).enumerate() {
             let mut told = Told::default();
