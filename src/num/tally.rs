@@ -15,7 +15,7 @@ pub(crate) enum Work {
     Edge,
     /// Times that all pieces were gone through.
     Band,
-    /// Rounds of the loops of all other shapes: rows, columns, pixels, or edges that were looked at.
+    /// Rounds of the loops of all other shapes: rows, columns, pixels, or edges that were looked at; lines and characters of a text.
     Step,
 }
 

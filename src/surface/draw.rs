@@ -164,7 +164,9 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
         });
     }
 
-    #[inline]
+    // Built for speed, a part of the loop over the letters of a line: a call would cost as much as the pixels of a small letter.
+    #[cfg_attr(embedded_raster_compact, inline)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
     fn fill_strip(&mut self, strip: Strip<'_>, on: L::Color, off: Option<L::Color>) {
         let ((x, y), (rows, columns)) = (strip.first(), strip.bytes());
         let place = self.place(x, y);

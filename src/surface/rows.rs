@@ -292,7 +292,8 @@ impl<F: PixelFormat> Layout for Rows<F> {
         mask::draw::<F>(memory, start(grid, y), columns, bits, (F::pack(on), off.map(F::pack)));
     }
 
-    #[inline]
+    #[cfg_attr(embedded_raster_compact, inline)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
     fn fill_strip(
         memory: &mut [u8],
         grid: Grid,

@@ -11,15 +11,12 @@ use core::ops::Range;
 
 use embedded_graphics_core::geometry::Point;
 
-use super::{
-    font::Glyph,
-    line::{Lines, Pen},
-    style::Style,
-};
+use super::{font::Glyph, line::Lines, style::Style};
 use crate::{
     num::cast::{index, narrow, saturate, unsigned},
     span::Rect,
     surface::{Strip, Surface},
+    tune::COMPACT,
 };
 
 /// No box begins further on the left of its cell than this.
@@ -37,19 +34,21 @@ impl<C: Copy> Style<'_, C> {
         let (at, window) = (at.into(), on.window());
         let mut top = self.first_row(at.y, text);
         for line in Lines(Some(text)) {
+            #[cfg(test)]
+            crate::num::tally::add(crate::num::tally::Work::Step);
             if top >= i64::from(window.y1) {
                 return;
             }
             if let Some(rows) = Rows::of(top, self.font.height(), window) {
                 let columns = if self.is_counted() { self.columns(line) } else { 0 };
-                self.draw_line(on, self.start(at.x, columns), line, &rows);
+                self.draw_line(on, self.start(at.x, columns), line, rows);
             }
             top = top.wrapping_add(self.line_distance().into());
         }
     }
 
     /// A line of which some rows are visible.
-    fn draw_line<S: Surface<Color = C> + ?Sized>(&self, on: &mut S, start: i64, line: &str, rows: &Rows) {
+    fn draw_line<S: Surface<Color = C> + ?Sized>(&self, on: &mut S, start: i64, line: &str, rows: Rows) {
         let mut ground = self.ground;
         if self.font.overhangs() {
             // No cell may hide what leans into it: all of the ground comes first.
@@ -58,8 +57,26 @@ impl<C: Copy> Style<'_, C> {
                 rows.fill(on, start..end, rows.top..rows.bottom, color);
             }
         }
+        match ground {
+            // Two loops, each with what it needs in registers; built for size, one.
+            Some(color) if !COMPACT => self.draw_cells(on, start, line, rows, Some(color)),
+            None if !COMPACT => self.draw_cells(on, start, line, rows, None),
+            ground => self.draw_cells(on, start, line, rows, ground),
+        }
+    }
+
+    /// The cells of a line: glyphs, and the ground of those that do not fill theirs.
+    #[inline(always)]
+    fn draw_cells<S: Surface<Color = C> + ?Sized>(
+        &self,
+        on: &mut S,
+        start: i64,
+        line: &str,
+        rows: Rows,
+        ground: Option<C>,
+    ) {
         let mut pen = self.pen();
-        let mut row = Row::of(rows, start, &pen);
+        let mut row = Row::of(rows, start.saturating_add(pen.base()));
         for character in line.chars() {
             let cell = pen.column();
             if cell >= row.end.wrapping_add(OVERHANG) {
@@ -68,21 +85,22 @@ impl<C: Copy> Style<'_, C> {
             match (pen.next(self.font, character), ground) {
                 (Some(glyph), ground) => {
                     if let Some(color) = ground.filter(|_| !glyph.fills_cell) {
-                        row.surround(on, cell, &glyph, color);
+                        row.surround(on, cell, glyph, color);
                     }
-                    row.draw(on, cell, &glyph, self.color, ground);
+                    row.draw(on, cell, glyph, self.color, ground);
                 }
                 (None, Some(color)) => row.fill(on, cell..pen.column(), rows.top..rows.bottom, color),
                 (None, None) => {}
             }
             if pen.moves_base() {
-                row = Row::of(rows, start, &pen);
+                row = Row::of(rows, start.saturating_add(pen.base()));
             }
         }
     }
 }
 
-/// The visible rows of a line of cells.
+/// The visible rows of a line of cells. By value everywhere: what a call is lent lies in memory, and is loaded for each letter.
+#[derive(Copy, Clone)]
 struct Rows {
     window: Rect,
     /// The row of the first row of cells. It may lie above all numbers; as an `i32` it is right modulo 2^32.
@@ -104,12 +122,12 @@ impl Rows {
 
     /// The part of some rows of a cell that is visible.
     #[inline(always)]
-    fn seen(&self, rows: Range<i32>) -> Range<i32> {
+    fn seen(self, rows: Range<i32>) -> Range<i32> {
         rows.start.max(self.top)..rows.end.min(self.bottom)
     }
 
     /// Paints columns, wherever they are, in rows of cells.
-    fn fill<S: Surface + ?Sized>(&self, on: &mut S, columns: Range<i64>, rows: Range<i32>, color: S::Color) {
+    fn fill<S: Surface + ?Sized>(self, on: &mut S, columns: Range<i64>, rows: Range<i32>, color: S::Color) {
         let Range { start, end } = self.seen(rows);
         let row = |row: i32| self.first.wrapping_add(row);
         if start < end {
@@ -119,31 +137,32 @@ impl Rows {
 }
 
 /// A row of cells near the base of a pen: columns are counted from there.
-struct Row<'a> {
-    rows: &'a Rows,
+#[derive(Copy, Clone)]
+struct Row {
+    rows: Rows,
     base: i64,
     /// The first column of the window, and the one after its last.
     start: i32,
     end: i32,
 }
 
-impl<'a> Row<'a> {
-    /// Of a line that starts in a column of the surface.
-    fn of(rows: &'a Rows, start: i64, pen: &Pen) -> Self {
-        let base = start.saturating_add(pen.base());
+impl Row {
+    /// With the base in a column of the surface.
+    #[inline]
+    fn of(rows: Rows, base: i64) -> Self {
         let distance = |x: i32| narrow(i64::from(x).saturating_sub(base).clamp(-OUT_OF_REACH, OUT_OF_REACH));
         Self { rows, base, start: distance(rows.window.x0), end: distance(rows.window.x1) }
     }
 
     /// Paints columns in rows of cells.
-    fn fill<S: Surface + ?Sized>(&self, on: &mut S, columns: Range<i32>, rows: Range<i32>, color: S::Color) {
+    fn fill<S: Surface + ?Sized>(self, on: &mut S, columns: Range<i32>, rows: Range<i32>, color: S::Color) {
         let column = |x: i32| self.base.saturating_add(x.into());
         self.rows.fill(on, column(columns.start)..column(columns.end), rows, color);
     }
 
     /// Paints what lies in a cell around the box of its glyph.
     #[inline(never)]
-    fn surround<S: Surface + ?Sized>(&self, on: &mut S, cell: i32, glyph: &Glyph<'_>, color: S::Color) {
+    fn surround<S: Surface + ?Sized>(self, on: &mut S, cell: i32, glyph: Glyph<'_>, color: S::Color) {
         let end = cell.wrapping_add(glyph.advance.into());
         let left = cell.wrapping_add(glyph.left.into());
         let right = left.wrapping_add(glyph.width.into());
@@ -161,12 +180,13 @@ impl<'a> Row<'a> {
     }
 
     /// Paints the box of a glyph whose cell begins in a column.
-    #[inline]
+    #[cfg_attr(embedded_raster_compact, inline)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
     fn draw<S: Surface + ?Sized>(
-        &self,
+        self,
         on: &mut S,
         cell: i32,
-        glyph: &Glyph<'_>,
+        glyph: Glyph<'_>,
         color: S::Color,
         ground: Option<S::Color>,
     ) {
@@ -185,7 +205,7 @@ impl<'a> Row<'a> {
             // One strip: eight columns, of which those from `first` on are visible, and those up to `end`.
             let strip = first & !7;
             let bits = index(strip >> 3).wrapping_mul(glyph.height.into()).wrapping_add(skip);
-            let bytes = glyph.strips.get(bits..bits.wrapping_add(len)).unwrap_or_default();
+            let Some(bytes) = glyph.strips.get(bits..bits.wrapping_add(len)) else { return };
             let columns = (unsigned(first & 7), unsigned(end.wrapping_sub(strip).min(8)));
             on.fill_strip(Strip::inside(x.wrapping_add(strip), y, columns, bytes), color, ground);
             first = strip.wrapping_add(8);

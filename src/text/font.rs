@@ -7,7 +7,7 @@ use core::fmt;
 
 use bytemuck::pod_align_to;
 
-use crate::{error::FontError, num::cast::low_u16};
+use crate::{error::FontError, num::cast::low_u16, tune::keep_branch};
 
 /// The first bytes of every font.
 const MAGIC: [u8; 4] = *b"erf1";
@@ -255,7 +255,8 @@ impl<'a> Font<'a> {
     }
 
     /// The glyph of a character; the replacement glyph if it has none.
-    #[inline]
+    #[cfg_attr(embedded_raster_compact, inline)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
     pub fn glyph(&self, character: char) -> Glyph<'a> {
         let number = usize::from(self.number(character).unwrap_or(self.replacement));
         let (start, like) = match pod_align_to::<u8, [u8; RECORD]>(self.entries).1.get(number) {
@@ -263,7 +264,12 @@ impl<'a> Font<'a> {
             None => (number.wrapping_mul(self.like.bytes()), self.like),
         };
         let Like { advance, left, top, width, height } = like;
-        let strips = self.bits.get(start..start.wrapping_add(like.bytes())).unwrap_or_default();
+        let strips = self.bits.get(start..start.wrapping_add(like.bytes()));
+        let strips = strips.unwrap_or_else(|| {
+            // No glyph lies outside. As a choice, this would cost all of them both ways.
+            keep_branch();
+            &[]
+        });
         Glyph { advance, left, top, width, height, fills_cell: like.fills(self.height), strips }
     }
 
@@ -277,15 +283,18 @@ impl<'a> Font<'a> {
 
     /// The number of the glyph of a character. Most texts are in the first range: that is looked at first, then the middle one of those
     /// that are left.
-    #[inline]
+    #[cfg_attr(embedded_raster_compact, inline)]
+    #[cfg_attr(not(embedded_raster_compact), inline(always))]
     fn number(&self, character: char) -> Option<u16> {
         let (_, mut ranges, _) = pod_align_to::<u8, [u8; RECORD]>(self.ranges);
         let mut probe = 0;
         while let Some(&[a, b, c, d, count0, count1, glyph0, glyph1]) = ranges.get(probe) {
+            // Two words, as they are two loads.
             let first = u32::from_le_bytes([a, b, c, d]);
+            let both = u32::from_le_bytes([count0, count1, glyph0, glyph1]);
             let place = u32::from(character).wrapping_sub(first);
-            if place < u32::from(u16::from_le_bytes([count0, count1])) {
-                return Some(u16::from_le_bytes([glyph0, glyph1]).wrapping_add(low_u16(place)));
+            if place < both & 0xffff {
+                return Some(low_u16((both >> 16).wrapping_add(place)));
             }
             let (before, after) = ranges.split_at_checked(probe).unwrap_or_default();
             ranges = if u32::from(character) < first { before } else { after.get(1..).unwrap_or_default() };

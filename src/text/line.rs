@@ -24,6 +24,7 @@ impl<'a> Iterator for Lines<'a> {
 ///
 /// A line may be longer than any number of 32 bits says. So columns are counted from a column of the line, the base, which moves on
 /// every million of them.
+#[derive(Copy, Clone)]
 pub(super) struct Pen {
     base: i64,
     column: i32,
@@ -70,25 +71,28 @@ impl Pen {
     }
 
     /// Moves over a character to the end of its cell. Its glyph; `None` if it has none but room, perhaps.
-    #[inline]
+    #[inline(always)]
     pub(super) fn next<'a>(&mut self, font: &Font<'a>, character: char) -> Option<Glyph<'a>> {
-        match character {
-            '\t' => {
-                self.next_stop();
-                None
+        // One comparison for most.
+        if character <= '\r' && matches!(character, '\t' | '\r') {
+            if character == '\t' {
+                *self = self.at_next_stop();
             }
-            '\r' => None,
-            _ => {
-                let glyph = font.glyph(character);
-                self.column = self.column.wrapping_add(glyph.advance.into());
-                Some(glyph)
-            }
+            return None;
         }
+        #[cfg(test)]
+        crate::num::tally::add(crate::num::tally::Work::Step);
+        let glyph = font.glyph(character);
+        self.column = self.column.wrapping_add(glyph.advance.into());
+        Some(glyph)
     }
 
-    /// Moves to the next tab stop. Each stop is passed once in a line, so no division is needed.
+    /// At the next tab stop. Each stop is passed once in a line, so no division is needed.
+    ///
+    /// By value, so that a pen may be in registers.
     #[cold]
-    fn next_stop(&mut self) {
+    #[inline(never)]
+    fn at_next_stop(mut self) -> Self {
         let column = self.total();
         while self.tab > 0 && self.stop <= column {
             self.stop = self.stop.wrapping_add(self.tab.into());
@@ -99,5 +103,6 @@ impl Pen {
             // Less than 2^16 columns on.
             self.column = i32::try_from(self.stop.wrapping_sub(self.base)).unwrap_or(FAR);
         }
+        self
     }
 }

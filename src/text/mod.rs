@@ -49,6 +49,8 @@ mod font;
 mod fonts;
 mod line;
 mod style;
+#[cfg(test)]
+mod work;
 
 #[cfg(feature = "font-6x10")]
 pub use self::fonts::FONT_6X10;

@@ -270,10 +270,13 @@ pub(super) fn draw_strip<F: PixelFormat>(
     for bits in strip {
         let (mut set, mut painted) = (placed(low_u8(u32::from(*bits) << (skip & 31)) & wanted), always);
         painted |= set;
-        for place in memory.get_mut(start..start.wrapping_add(len)).unwrap_or_default() {
-            let (ink, mask) = (spread::<F>(set), spread::<F>(painted));
-            *place = merge(*place, merge(ground, on, ink), mask);
-            (set, painted) = (set << (8 / F::BITS), painted << (8 / F::BITS));
+        // In most letters a third of the rows is empty.
+        if painted != 0 {
+            for place in memory.get_mut(start..start.wrapping_add(len)).unwrap_or_default() {
+                let (ink, mask) = (spread::<F>(set), spread::<F>(painted));
+                *place = merge(*place, merge(ground, on, ink), mask);
+                (set, painted) = (set << (8 / F::BITS), painted << (8 / F::BITS));
+            }
         }
         start = start.wrapping_add(stride);
     }
