@@ -57,6 +57,9 @@ impl Columns {
     }
 }
 
+/// This crate, as it is named among other engines.
+const OWN: &str = "embedded-raster";
+
 /// What stands in a chip's name for a build with `-C target-cpu`.
 const CPU: &str = "-cpu";
 
@@ -66,7 +69,7 @@ pub fn measure(columns: Columns) -> Result<Budgets> {
     let chips = CHIPS.map(|(_, chip)| chip);
     let processors: &[bool] = if columns == Columns::All { &[false, true] } else { &[false] };
     for &cpu in processors {
-        firmware::build_together("bench", &["cycles", "own", "scene"], &chips, Opt::Three, cpu)?;
+        firmware::build_together("bench", &["cycles", "everyday", "own", "scene"], &chips, Opt::Three, cpu)?;
     }
     let sized = columns.sized();
     firmware::build_with_frames(size::PACKAGE, &sized.iter().map(|&(_, chip)| chip).collect::<Vec<_>>(), Opt::Small)?;
@@ -99,7 +102,8 @@ fn speed(all: &mut Budgets, name: &str, build: Build, host: &[Frame]) -> Result<
         all.insert(format!("instructions;{name};3;{of}"), instructions);
     };
     // Not the stack of workloads: in one program with all of them it depends on what is inlined where.
-    for row in table::parse(&run(&Program { package: "bench", bin: "own" }, build)?)? {
+    let rows = |bin| table::parse(&run(&Program { package: "bench", bin }, build)?);
+    for row in rows("own")?.into_iter().chain(rows("everyday")?.into_iter().filter(|row| row.engine == OWN)) {
         insert(&format!("{};{}", row.workload, row.format), row.cycles, row.instructions);
     }
     let frames = scene::on_chip(build)?;

@@ -24,6 +24,19 @@ pub fn print<F>(engine: &Engine<F>, frame: &mut F, scene: &Scene) {
     }
 }
 
+/// Measures something that is in no scene: its name, how many items are drawn, and how many pixels.
+pub fn item<F>(engine: &Engine<F>, frame: &mut F, (name, calls, pixels): (&str, usize, usize), draw: &dyn Fn(&mut F)) {
+    (engine.blacken)(frame);
+    draw(frame);
+    // Of the first drawing: what flips bits leaves other pixels after the second.
+    let crc32 = crc32((engine.bytes)(frame));
+    let mut work = || black_box(draw)(black_box(frame));
+    let Count { cycles, instructions } = count(&mut work);
+    let stack = stack::depth(&mut work);
+    let (format, engine) = (engine.format.name(), engine.name);
+    println!("{name};{format};{engine};{cycles};{instructions};{calls};{pixels};{stack};{crc32:08x}");
+}
+
 struct Row {
     count: Count,
     stack: usize,

@@ -3,25 +3,27 @@
 use super::Ink;
 
 /// The linear congruential generator of "Numerical Recipes".
-pub(super) struct Lcg(u32);
+pub struct Lcg(u32);
 
 impl Lcg {
-    pub(super) fn new(seed: u32) -> Self {
+    /// From a seed.
+    pub fn new(seed: u32) -> Self {
         Self(seed)
     }
 
     /// The upper 16 bits, which have the long period.
-    pub(super) fn bits(&mut self) -> u16 {
+    pub fn bits(&mut self) -> u16 {
         self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (self.0 >> 16) as u16
     }
 
     /// One of `low..high`; at most 65,536 numbers.
-    pub(super) fn between(&mut self, low: i32, high: i32) -> i32 {
+    pub fn between(&mut self, low: i32, high: i32) -> i32 {
         low + ((i32::from(self.bits()) * (high - low)) >> 16)
     }
 
-    pub(super) fn ink(&mut self) -> Ink {
+    /// Any ink.
+    pub fn ink(&mut self) -> Ink {
         Ink(self.bits() | 1)
     }
 }

@@ -11,7 +11,7 @@ mod picture;
 use embedded_graphics::geometry::Point;
 use embedded_graphics::primitives::Rectangle;
 
-use lcg::Lcg;
+pub use lcg::Lcg;
 pub use picture::{Format, Pictures};
 
 /// Radius of the corners of rounded rectangles.
