@@ -78,7 +78,8 @@ impl Moving for Scope {
         let (mut sent, row_bytes) = (Vec::<Rect>::new(), self.line.len());
         self.frame += 1;
         self.scope.draw()?;
-        self.scope.flip(&self.palette, &mut self.line, |row, bytes| {
+        self.scope.flip();
+        self.scope.send_rows(&self.palette, &mut self.line, |row, bytes| {
             let place = |n: i32| usize::try_from(n).unwrap_or(0);
             let start = place(row.y0) * row_bytes + 2 * place(row.x0);
             self.display[start..start + bytes.len()].copy_from_slice(bytes);
@@ -88,7 +89,7 @@ impl Moving for Scope {
                 _ => sent.push(row),
             }
         })?;
-        let bytes = self.scope.shown().map_or(0, Vec::len);
+        let bytes = self.scope.pixels().map_or(0, Vec::len);
         Ok(Moment {
             crc32: crc::crc32(&self.display),
             picture: Picture::of(&Framebuffer::<Be<Rgb565>>::new(&mut self.display, width, height)?),

@@ -16,7 +16,7 @@
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_raster::{
     pixel::Be,
-    present::{Grain, History, Swapchain},
+    present::{Grain, History, Jobs, Swapchain},
     surface::{Damage, Recorder, Rows},
     Angle, Bitmap, BufferError, Canvas, Framebuffer, Index4, Palette, PointFx, Rect, Surface,
 };
@@ -191,6 +191,8 @@ pub struct Scope<M> {
     history: History<AREAS, 2>,
     /// Where the traces of the last frame are.
     last: Damage<AREAS>,
+    /// The frame that is shown, and the one before it, which the display has.
+    shown: Option<u32>,
     sent: Option<u32>,
 }
 
@@ -203,6 +205,7 @@ impl<M: AsMut<[u8]>> Scope<M> {
             chain: Swapchain::new(buffers.map(|pixels| Screen::new(pixels, size))),
             history: History::new(),
             last: Damage::new(),
+            shown: None,
             sent: None,
         }
     }
@@ -227,37 +230,52 @@ impl<M: AsMut<[u8]>> Scope<M> {
 }
 
 impl<M: AsRef<[u8]> + AsMut<[u8]>> Scope<M> {
-    /// The display is between two pictures: the frame that was drawn is shown, and what is new in it is sent. `send` is called with each
-    /// rectangle and the bytes of its rows, in 16 bits with the high byte first; `line` has the bytes of a row of the screen. Returns how many pixels
-    /// were sent.
+    /// The display is between two pictures: the frame that was drawn is shown.
+    pub fn flip(&mut self) {
+        if let Some(shown) = self.chain.flip() {
+            self.sent = self.shown;
+            self.shown = Some(shown.frame());
+        }
+    }
+
+    /// Calls `send` with the frame that is shown, and with the rectangles in which it differs from the one before it: in whole bytes, the
+    /// topmost first. Until the next frame is drawn they are the same each time.
     ///
     /// # Errors
     /// The memory of a buffer is too small.
-    pub fn flip(
-        &mut self,
+    pub fn send<T>(&self, send: impl FnOnce(&Bitmap<'_, Index4>, Jobs<AREAS>) -> T) -> Result<Option<T>, BufferError> {
+        let ([width, height], screen) = (self.size, screen(self.size));
+        let Some(shown) = self.chain.shown() else { return Ok(None) };
+        let frame = Bitmap::<Index4>::new(shown.pixels.as_ref(), width, height)?;
+        let changed = self.history.since(self.sent, screen);
+        Ok(Some(send(&frame, Grain::of::<Rows<Index4>>().jobs(&changed, screen))))
+    }
+
+    /// The same for those who send row by row: with the place of each row of a rectangle, and its bytes, in 16 bits with the high byte first;
+    /// `line` has the bytes of a row of the screen.
+    ///
+    /// # Errors
+    /// The memory of a buffer is too small.
+    pub fn send_rows(
+        &self,
         palette: &Palette<Rgb565, 16>,
         line: &mut [u8],
         mut send: impl FnMut(Rect, &[u8]),
-    ) -> Result<u32, BufferError> {
-        let [width, height] = self.size;
-        let (mut pixels, screen) = (0, screen(self.size));
-        let Some(shown) = self.chain.flip() else { return Ok(0) };
-        let frame = Bitmap::<Index4>::new(shown.pixels.as_ref(), width, height)?;
-        let changed = self.history.since(self.sent, screen);
-        for job in Grain::of::<Rows<Index4>>().jobs(&changed, screen) {
-            pixels += job.width() * job.height();
-            for (y, row) in (job.y0..).zip(frame.bytes(job)) {
-                let Some(line) = line.get_mut(..2 * job.width() as usize) else { continue };
-                palette.expand::<Index4, Be<Rgb565>>(row, line);
-                send(Rect { y0: y, y1: y + 1, ..job }, line);
+    ) -> Result<(), BufferError> {
+        self.send(|frame, jobs| {
+            for job in jobs {
+                for (y, row) in (job.y0..).zip(frame.bytes(job)) {
+                    let Some(line) = line.get_mut(..2 * job.width() as usize) else { continue };
+                    palette.expand::<Index4, Be<Rgb565>>(row, line);
+                    send(Rect { y0: y, y1: y + 1, ..job }, line);
+                }
             }
-        }
-        self.sent = Some(shown.frame());
-        Ok(pixels)
+        })?;
+        Ok(())
     }
 
     /// The pixels that are shown.
-    pub fn shown(&self) -> Option<&M> {
+    pub fn pixels(&self) -> Option<&M> {
         self.chain.shown().map(|buffer| &buffer.pixels)
     }
 }

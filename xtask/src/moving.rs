@@ -1,4 +1,5 @@
-//! The scenes that move, on chips: each frame is that of this computer, and all they take is there.
+//! The scenes that move, on chips: each frame is that of this computer, and so are the bytes that a display is sent of it; and all they
+//! take is there.
 
 use std::fmt::Write;
 
@@ -16,6 +17,8 @@ const PROGRAMS: [(&str, u64); 2] = [("plasma", 96 << 10), ("scope", 96 << 10)];
 /// What a scene takes.
 struct Taken {
     frames: Vec<Frame>,
+    /// Of the last frame, the checksum of all that the display was sent.
+    wire: u32,
     /// Bytes of static RAM.
     statics: u64,
     /// Bytes of stack, summed from the sizes of the frames, from the start of the program.
@@ -41,8 +44,10 @@ fn check(build: Build, host: &[Frame]) -> Result<()> {
         let elf = firmware::build_printing(&Program { package: PACKAGE, bin }, build)?;
         let drawn = scene::parse(&emulator::run(build.chip, &elf)?)?;
         scene::compare(&expected, build.chip, &drawn)?;
+        let (sent, frames): (Vec<_>, Vec<_>) = drawn.into_iter().partition(is_of_wire);
+        let wire = sent.last().with_context(|| format!("{bin} sends nothing"))?.crc32;
         let elf = with_frames.join(bin);
-        let taken = Taken { frames: drawn, statics: Sections::of(&elf)?.ram(), summed: frames::deepest(&elf)? };
+        let taken = Taken { frames, wire, statics: Sections::of(&elf)?.ram(), summed: frames::deepest(&elf)? };
         let (statics, summed) = (taken.statics, taken.summed);
         ensure!(
             statics + summed <= ram,
@@ -59,13 +64,18 @@ fn is_of(frame: &Frame, scene: &str) -> bool {
     frame.name.strip_prefix(scene).is_some_and(|number| number.starts_with('-'))
 }
 
+/// Whether it says what was sent, not what is shown: `plasma-wire-3`.
+fn is_of_wire(frame: &Frame) -> bool {
+    frame.name.contains("-wire-")
+}
+
 /// A Markdown table: a row for each scene. The first frame, which draws and sends everything, stands beside the average of the others.
 fn markdown(rows: &[(&str, Taken)]) -> Result<String> {
     let mut text = String::from(
-        "| scene | modelled cycles, first frame | each of the others | static RAM | stack, painted | stack, summed | CRC-32 of the last |\n\
-         |---|---:|---:|---:|---:|---:|---|\n",
+        "| scene | modelled cycles, first frame | each of the others | static RAM | stack, painted | stack, summed | CRC-32 of the last | as it is sent |\n\
+         |---|---:|---:|---:|---:|---:|---|---|\n",
     );
-    for (name, Taken { frames, statics, summed }) in rows {
+    for (name, Taken { frames, wire, statics, summed }) in rows {
         let (first, others) = frames.split_first().context("no frames")?;
         let last = others.last().context("one frame")?;
         let count = f64::from(u32::try_from(others.len()).context("many frames")?);
@@ -75,7 +85,7 @@ fn markdown(rows: &[(&str, Taken)]) -> Result<String> {
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "| {name} | {} | {} | {statics} | {painted} | {summed} | {:08x} |",
+            "| {name} | {} | {} | {statics} | {painted} | {summed} | {:08x} | {wire:08x} |",
             cycles(first.cycles),
             cycles(average),
             last.crc32
@@ -102,9 +112,9 @@ mod tests {
     fn the_first_frame_stands_alone() {
         let frames =
             scene::parse("scope-0;index4;900;0.0;8;0000000a\nscope-1;index4;100;0.0;12;0000000b\nscope-2;index4;201;0.0;8;0000000c\n");
-        let taken = Taken { frames: frames.expect("well-formed"), statics: 7, summed: 16 };
+        let taken = Taken { frames: frames.expect("well-formed"), wire: 13, statics: 7, summed: 16 };
         assert!(is_of(&taken.frames[0], "scope") && !is_of(&taken.frames[0], "sco"), "by its name");
         let text = markdown(&[("scope", taken)]).expect("frames");
-        assert!(text.contains("| scope | 900 | 150 | 7 | 12 | 16 | 0000000c |"), "{text}");
+        assert!(text.contains("| scope | 900 | 150 | 7 | 12 | 16 | 0000000c | 0000000d |"), "{text}");
     }
 }

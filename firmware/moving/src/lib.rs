@@ -5,6 +5,7 @@ use core::cell::UnsafeCell;
 use core::hint::black_box;
 
 use scene::moving::{Moving, FRAMES};
+use scene::wire::Wire;
 
 /// Bytes for the one who asks first: aligned to words, as a display's DMA would want them.
 #[repr(align(4))]
@@ -28,15 +29,21 @@ impl<const BYTES: usize> Memory<BYTES> {
     }
 }
 
-/// Draws and sends all frames, one after the other: modelled cycles and checksum of each, one line each.
+/// Draws and sends all frames, one after the other: modelled cycles of each, and the checksums of what is shown and of what was sent, two
+/// lines each.
 pub fn run(name: &str, mut scene: impl Moving) {
     for frame in 0..FRAMES {
         measure(name, frame, &mut scene);
     }
 }
 
+/// Draws and sends a frame. Nobody looks at the bytes on the wire, which take no time so.
 fn go(scene: &mut impl Moving) {
-    if scene.next(|sent| _ = black_box(sent)).is_err() {
+    let wire = Wire::new(|sum, bytes| {
+        black_box(bytes);
+        sum
+    });
+    if scene.draw().and_then(|()| scene.send(&mut wire.spi())).is_err() {
         board::exit(1);
     }
 }
@@ -54,7 +61,12 @@ fn measure(name: &str, frame: u32, scene: &mut impl Moving) {
     let stack = board::stack::depth(&mut || cycles = Some(board::counter::cycles(&mut || go(scene))));
     let mut crc32 = 0;
     scene.whole(|row| crc32 = board::crc32_with(crc32, row));
+    let wire = Wire::new(board::crc32_with);
+    if scene.send(&mut wire.spi()).is_err() {
+        board::exit(1);
+    }
     if let Some(cycles) = cycles {
         board::println!("{name}-{frame};{format};{cycles};0.0;{stack};{crc32:08x}");
+        board::println!("{name}-wire-{frame};{format};-;0.0;0;{:08x}", wire.sum());
     }
 }

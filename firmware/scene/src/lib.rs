@@ -18,6 +18,7 @@ pub mod plasma;
 #[path = "../../../examples/scope/scene.rs"]
 pub mod scope;
 pub mod shapes;
+pub mod wire;
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_raster::pipeline::Pipeline;
