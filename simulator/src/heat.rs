@@ -64,6 +64,11 @@ impl<S: Readable> Readable for Heat<'_, S> {
 /// # Panics
 /// If there is no column.
 pub fn heat(width: usize, drawn: &[u16]) -> Picture {
+    Picture::from_colors(width, drawn.len() / width, drawn.iter().copied().map(color_of).collect())
+}
+
+/// The colour of a pixel that was drawn so often.
+pub fn color_of(times: u16) -> Rgb888 {
     const COLORS: [(u8, u8, u8); 9] = [
         (0, 0, 0),
         (24, 32, 96),
@@ -75,9 +80,6 @@ pub fn heat(width: usize, drawn: &[u16]) -> Picture {
         (224, 0, 0),
         (255, 255, 255),
     ];
-    let color = |&n: &u16| {
-        let (r, g, b) = COLORS[usize::from(n).min(COLORS.len() - 1)];
-        Rgb888::new(r, g, b)
-    };
-    Picture::from_colors(width, drawn.len() / width, drawn.iter().map(color).collect())
+    let (r, g, b) = COLORS[usize::from(times).min(COLORS.len() - 1)];
+    Rgb888::new(r, g, b)
 }
