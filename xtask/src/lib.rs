@@ -18,6 +18,7 @@
 
 #![allow(clippy::missing_errors_doc, reason = "a command that fails prints what was wrong")]
 
+pub mod bands;
 pub mod budget;
 pub mod checks;
 pub mod chip;

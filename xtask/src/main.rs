@@ -1,5 +1,6 @@
 //! The command line: see `HELP`.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{bail, Result};
@@ -7,7 +8,9 @@ use pico_args::Arguments;
 use xtask::budget::{self, Columns};
 use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
-use xtask::{checks, cube, heading, moving, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program};
+use xtask::{
+    bands, checks, cube, heading, moving, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program,
+};
 
 const HELP: &str = "\
 Checks:
@@ -46,13 +49,15 @@ The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M
         the cube alone: whole and in bands, in 96, 48 and 16 kB of RAM
     moving [--target CHIP]... [--opt 3|s] [--cpu]
         the scenes that move, frame after frame: a plasma whose palette turns, and an oscilloscope with two buffers
+    bands [--target CHIP]... [--opt 3|s] [--cpu]
+        the map, a page of text and the teapot in bands: RAM against cycles, and how even a split between cores is
     budget [--bless]
         fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
 Documentation:
 
-    readme
-        make the tables of README.md and docs/*.md anew, each by the command that stands above it
+    readme [PAGE]...
+        make the tables of README.md and docs/*.md anew, or of some of these pages, each by the command that stands above it
     tour
         draw the pictures of src/tour.md, the page of the crate, of some modules and of the cookbook anew: look at each that changed
 
@@ -85,12 +90,13 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("scene") => print_scene(args),
         Some("cube") => print_cube(args),
         Some("moving") => print_moving(args),
+        Some("bands") => print_bands(args),
         Some("budget") => budget(args),
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
         Some("printed") => alone(args, readme::build_firmware),
-        Some("readme") => alone(args, readme::update),
+        Some("readme") => update_pages(args),
         Some("tour") => alone(args, readme::draw_tour),
         Some("check") => alone(args, checks::check),
         Some("full") => alone(args, checks::full),
@@ -104,6 +110,11 @@ fn command(mut args: Arguments) -> Result<()> {
 fn alone(args: Arguments, work: impl FnOnce() -> Result<()>) -> Result<()> {
     finish(args)?;
     work()
+}
+
+fn update_pages(args: Arguments) -> Result<()> {
+    let pages = args.finish();
+    readme::update(&pages.iter().map(PathBuf::from).collect::<Vec<_>>())
 }
 
 fn run_program(mut args: Arguments) -> Result<()> {
@@ -184,6 +195,12 @@ fn print_moving(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
     moving::check_all(&builds)
+}
+
+fn print_bands(mut args: Arguments) -> Result<()> {
+    let builds = builds(&mut args)?;
+    finish(args)?;
+    bands::check_all(&builds)
 }
 
 fn budget(mut args: Arguments) -> Result<()> {

@@ -14,16 +14,21 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{ensure, Context, Result};
+use anyhow::{bail, ensure, Context, Result};
 
 use crate::firmware::{self, project, Opt};
 use crate::Chip;
 
 const END: &str = "<!-- end -->";
 
-/// Writes all tables of all pages anew.
-pub fn update() -> Result<()> {
-    pages()?.iter().try_for_each(|page| {
+/// Writes all tables of some pages anew, or of all pages if none is named. Paths are those from the folder of the project.
+pub fn update(wanted: &[PathBuf]) -> Result<()> {
+    let (all, wanted) = (pages()?, wanted.iter().map(|page| project().join(page)).collect::<Vec<_>>());
+    if let Some(unknown) = wanted.iter().find(|page| !all.contains(page)) {
+        bail!("{} is not one of the pages with tables: README.md and docs/*.md", unknown.display());
+    }
+    let pages = if wanted.is_empty() { all } else { wanted };
+    pages.iter().try_for_each(|page| {
         let old = fs::read_to_string(page).with_context(|| format!("reading {}", page.display()))?;
         let new = fill(&old, source).with_context(|| format!("in {}", page.display()))?;
         fs::write(page, new).with_context(|| format!("writing {}", page.display()))
@@ -167,6 +172,12 @@ mod tests {
             manifest.replace("cortex-m-rt = \"0.7\"", "cortex-m-rt = { version = \"0.7\", features = [\"device\"] }");
         assert!(refused(&page, &feature), "another feature");
         assert!(refused("no program", &manifest), "none");
+    }
+
+    #[test]
+    fn only_pages_with_tables_are_written() {
+        let error = update(&["src/tour.md".into()]).expect_err("it has no tables").to_string();
+        assert!(error.contains("tour.md is not one of the pages"), "{error}");
     }
 
     #[test]

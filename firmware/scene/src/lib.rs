@@ -1,14 +1,16 @@
 //! Frames that every chip and the host draw alike: the map of the world, a scene of every way to draw, the page of all
-//! shapes that `cargo run --example shapes` shows, the cube of `cargo run --example cube`, and the scenes that move: `plasma` and
-//! `scope`.
+//! shapes that `cargo run --example shapes` shows, the cube of `cargo run --example cube`, the scenes that move: `plasma` and
+//! `scope`, and those of which bands are measured: the map, a page of text and the teapot.
 //!
 //! The same code everywhere, integers only: their checksums must be equal, to the bit.
 #![no_std]
 
+pub mod bands;
 #[path = "../../../examples/cube/scene.rs"]
 pub mod cube;
 #[path = "../../../examples/shapes/hatched.rs"]
 pub mod hatched;
+pub mod letter;
 pub mod map;
 pub mod moving;
 #[path = "../../../examples/shapes/page.rs"]
@@ -18,6 +20,7 @@ pub mod plasma;
 #[path = "../../../examples/scope/scene.rs"]
 pub mod scope;
 pub mod shapes;
+pub mod teapot;
 pub mod wire;
 
 use embedded_graphics::pixelcolor::Rgb565;

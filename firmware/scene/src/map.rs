@@ -10,7 +10,7 @@
 
 use core::slice;
 
-use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index4, PointFx};
+use embedded_raster::{buffer_bytes, Canvas, EdgeSlot, Error, FillRule, Framebuffer, Index4, PointFx, Rect};
 
 use crate::{HEIGHT, WIDTH};
 
@@ -29,12 +29,25 @@ const LAND: [u8; 7] = [2, 3, 6, 7, 10, 12, 14];
 /// # Errors
 /// `memory` is shorter than [`BYTES`], or `table` than the sides of a country in one row.
 pub fn draw(memory: &mut [u8], table: &mut [EdgeSlot]) -> Result<(), Error> {
-    let mut frame = Framebuffer::<Index4>::new(memory, WIDTH, HEIGHT)?;
+    draw_on(&mut Framebuffer::<Index4>::new(memory, WIDTH, HEIGHT)?, table)
+}
+
+/// Draws the map on the whole screen, or on a band of it: there, countries that lie above or below are left out.
+///
+/// # Errors
+/// `table` is shorter than the sides of a country in one row.
+pub fn draw_on(frame: &mut Framebuffer<'_, Index4>, table: &mut [EdgeSlot]) -> Result<(), Error> {
     frame.clear(SEA);
-    for (country, &color) in countries().zip(LAND.iter().cycle()) {
+    let Rect { y0, y1, .. } = frame.window();
+    let is_seen = |&[low, high]: &[i16; 2]| {
+        let [top, bottom] = [high, low].map(|latitude| project([0, latitude]).pixel().y);
+        top < y1 && bottom >= y0
+    };
+    let seen = || countries().zip(&LATITUDES).zip(LAND.iter().cycle()).filter(move |((_, ends), _)| is_seen(ends));
+    for ((country, _), &color) in seen() {
         frame.fill_contours_fx(country, FillRule::EvenOdd, table, Index4::new(color))?;
     }
-    for ring in countries().flatten() {
+    for ring in seen().flat_map(|((country, _), _)| country) {
         // Closed: from the last point to the first.
         let last = ring.clone().last();
         frame.draw_polyline(last.into_iter().chain(ring).map(PointFx::pixel), BORDER);
