@@ -10,7 +10,7 @@ use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
 use crate::proofs::{self, Proofs};
 use crate::steps::step;
-use crate::{cube, moving, readme, scene, symbols, Chip};
+use crate::{cube, moving, playground, readme, scene, symbols, Chip};
 
 /// A variable that `build.rs` reads, and its value.
 type Switch = (&'static str, &'static str);
@@ -62,9 +62,11 @@ pub fn full() -> Result<()> {
             let builds = Chip::ALL.map(|chip| Build::new(chip, opt));
             scene::check_all(&builds)?;
             cube::check_all(&builds)?;
-            moving::check_all(&builds)
+            moving::check_all(&builds)?;
+            playground::check_chips(&builds)
         })?;
     }
+    step("the playground in a browser", playground::check)?;
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;
     cargo_step("shaded values", &["run", "--release", "--package", "lab", "--", "--samples"])?;
     passed(start);

@@ -15,10 +15,13 @@
 //!                                                      moving: frame after frame
 //!                                                      budget: what has grown
 //! ```
+//!
+//! [`playground`] is the page in the browser; [`server`] and [`browser`] are there to check it.
 
 #![allow(clippy::missing_errors_doc, reason = "a command that fails prints what was wrong")]
 
 pub mod bands;
+pub mod browser;
 pub mod budget;
 pub mod checks;
 pub mod chip;
@@ -27,11 +30,13 @@ pub mod emulator;
 pub mod firmware;
 pub mod frames;
 pub mod moving;
+pub mod playground;
 pub mod plugin;
 pub mod proofs;
 pub mod readme;
 pub mod rims;
 pub mod scene;
+pub mod server;
 pub mod size;
 pub mod steps;
 pub mod symbols;

@@ -9,7 +9,8 @@ use xtask::budget::{self, Columns};
 use xtask::proofs::{self, Proofs};
 use xtask::table::{self, Cell};
 use xtask::{
-    bands, checks, cube, heading, moving, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt, Program,
+    bands, checks, cube, heading, moving, playground, readme, rims, run, scene, size, symbols, ways, Build, Chip, Opt,
+    Program,
 };
 
 const HELP: &str = "\
@@ -54,6 +55,12 @@ The firmware on emulated chips. Cycles are modelled, from the tables of Cortex-M
     budget [--bless]
         fail when cycles, instructions, flash or stack grew by more than 2 % over firmware/budgets.txt; or write that anew
 
+The playground in the browser:
+
+    playground [--check|--serve|--chips] [--target CHIP]... [--opt 3|s] [--cpu]
+        build the page into target/playground, which any file server may serve, or open its index.html; with --check, compare its pictures
+        with this computer's in a browser without a window; with --serve, serve it until stopped; with --chips, compare what chips play
+
 Documentation:
 
     readme [PAGE]...
@@ -95,6 +102,7 @@ fn command(mut args: Arguments) -> Result<()> {
         Some("cross") => cross(args),
         Some("symbols") => check_symbols(args),
         Some("panics") => check_panics(args),
+        Some("playground") => play(args),
         Some("printed") => alone(args, readme::build_firmware),
         Some("readme") => update_pages(args),
         Some("tour") => alone(args, readme::draw_tour),
@@ -201,6 +209,21 @@ fn print_bands(mut args: Arguments) -> Result<()> {
     let builds = builds(&mut args)?;
     finish(args)?;
     bands::check_all(&builds)
+}
+
+fn play(mut args: Arguments) -> Result<()> {
+    if args.contains("--chips") {
+        let builds = builds(&mut args)?;
+        finish(args)?;
+        return playground::check_chips(&builds);
+    }
+    let (checks, serves) = (args.contains("--check"), args.contains("--serve"));
+    finish(args)?;
+    match (checks, serves) {
+        (true, _) => playground::check(),
+        (false, true) => playground::serve(),
+        (false, false) => playground::build().map(|folder| println!("{}", folder.join("index.html").display())),
+    }
 }
 
 fn budget(mut args: Arguments) -> Result<()> {

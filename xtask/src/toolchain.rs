@@ -20,14 +20,19 @@ pub struct Toolchain {
 }
 
 impl Toolchain {
-    /// The first toolchain that has the target installed, or else the first with library source.
+    /// The one that builds for a chip.
     pub fn find(chip: Chip) -> Result<Self> {
+        Self::find_for(chip.target())
+    }
+
+    /// The first toolchain that has the target installed, or else the first with library source.
+    pub fn find_for(target: &str) -> Result<Self> {
         let installed = candidates();
-        let usable = |builds_core| installed.iter().find(|c| c.can_build(chip, builds_core));
+        let usable = |builds_core| installed.iter().find(|c| c.can_build(target, builds_core));
         let (found, builds_core) = match (usable(false), usable(true)) {
             (Some(found), _) => (found, false),
             (None, Some(found)) => (found, true),
-            (None, None) => bail!(missing(chip)),
+            (None, None) => bail!(missing(target)),
         };
         Ok(Self { builds_core, ..found.clone() })
     }
@@ -39,9 +44,14 @@ impl Toolchain {
 
     /// `cargo build` for some chips, in the environment that this toolchain needs.
     pub(crate) fn cargo_build(&self, chips: &[Chip]) -> Command {
+        self.cargo_build_for(chips.iter().map(|chip| chip.target()))
+    }
+
+    /// The same for any targets.
+    pub(crate) fn cargo_build_for<'a>(&self, targets: impl IntoIterator<Item = &'a str>) -> Command {
         let mut cargo = Command::new(&self.cargo);
         cargo.arg("build").env("RUSTC", &self.rustc);
-        cargo.args(chips.iter().flat_map(|chip| ["--target", chip.target()]));
+        cargo.args(targets.into_iter().flat_map(|target| ["--target", target]));
         if self.builds_core {
             // What this needs is unstable, and stays the same from one release to the next.
             cargo.arg("-Zbuild-std=core").env("RUSTC_BOOTSTRAP", "1");
@@ -57,12 +67,12 @@ impl Toolchain {
         cargo
     }
 
-    fn can_build(&self, chip: Chip, builds_core: bool) -> bool {
+    fn can_build(&self, target: &str, builds_core: bool) -> bool {
         if builds_core {
             let source = "lib/rustlib/src/rust/library/core/Cargo.toml";
             return self.ask(&["--print", "sysroot"]).is_ok_and(|p| Path::new(&p).join(source).exists());
         }
-        let asked = self.ask(&["--print", "target-libdir", "--target", chip.target()]);
+        let asked = self.ask(&["--print", "target-libdir", "--target", target]);
         asked.is_ok_and(|libraries| holds_core(Path::new(&libraries)))
     }
 
@@ -88,13 +98,12 @@ fn holds_core(libraries: &Path) -> bool {
     entries.flatten().any(|entry| entry.file_name().to_string_lossy().starts_with("libcore-"))
 }
 
-fn missing(chip: Chip) -> String {
+fn missing(target: &str) -> String {
     format!(
-        "no Rust toolchain can build for {chip}. Install its target:\n    \
-         rustup target add {}\n\
+        "no Rust toolchain can build for {target}. Install the target:\n    \
+         rustup target add {target}\n\
          or Debian's compiler with the source of its library:\n    \
-         apt-get install --no-install-recommends rustc-web cargo-web rust-web-src rust-web-llvm lld-22",
-        chip.target()
+         apt-get install --no-install-recommends rustc-web cargo-web rust-web-src rust-web-llvm lld-22"
     )
 }
 
@@ -104,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_missing_toolchain_says_what_to_install() {
-        let text = missing(Chip::M0);
+        let text = missing(Chip::M0.target());
         assert!(text.contains("rustup target add thumbv6m-none-eabi"), "{text}");
     }
 
