@@ -96,6 +96,7 @@ impl Look {
     }
 
     /// Of pictures in 24 bits that are dithered later.
+    #[must_use]
     pub fn full(&self) -> Self {
         Self { depth: 24, dither: Dither::None, ..self.clone() }
     }

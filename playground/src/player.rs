@@ -12,7 +12,10 @@
 
 use core::ops::Range;
 
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{Rgb565, Rgb888, RgbColor},
+};
 use embedded_raster::{
     buffer_bytes,
     pixel::{FloydSteinberg, Xrgb8888},
@@ -340,7 +343,7 @@ impl<'a> Player<'a> {
         let drawn =
             self.drawing.as_ref().map(|drawing| &drawing.buffer).filter(|_| self.choice.buffers == Buffers::One);
         let shown = drawn.or(each!(&self.chain, chain => chain.shown()));
-        shown.map_or(&self.buffers[0], |buffer| &self.buffers[**buffer])
+        shown.map_or(self.buffers[0], |buffer| self.buffers[**buffer])
     }
 
     /// Shows the frame that waits, and its palette with it.
@@ -402,7 +405,7 @@ impl<'a> Player<'a> {
         if !is_drawn {
             self.played.painted = by_depth!(self.choice.depth, F => self.prepare::<F>(&buffer))?;
         }
-        self.drawing = Some(Drawing { buffer, part: if is_drawn { 1 } else { 0 }, parts, ticks: time / parts });
+        self.drawing = Some(Drawing { buffer, part: is_drawn.into(), parts, ticks: time / parts });
         if is_drawn {
             self.busy += time;
         }
@@ -470,7 +473,7 @@ impl<'a> Player<'a> {
             scene.draw(number, &mut picture, &full, 0..u32::MAX, &mut self.scratch)?;
             frame.blit_mapped((0, i32::from(start)), &picture, |color| {
                 Some(diffusion.next([color.r(), color.g(), color.b()], |[r, g, b]| {
-                    let bits = look.bits(Rgb888::new(r, g, b), Default::default());
+                    let bits = look.bits(Rgb888::new(r, g, b), Point::default());
                     let shown = look.shown(bits, table);
                     (F::unpack(bits), [shown.r(), shown.g(), shown.b()])
                 }))

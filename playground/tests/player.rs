@@ -1,5 +1,10 @@
 //! What is shown is what the scenes draw, whole frames where there are buffers enough, and no pixel differs in bands.
 
+#![expect(
+    clippy::redundant_closure_for_method_calls,
+    reason = "a method of a type with a lifetime is no function for every lifetime"
+)]
+
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use embedded_raster::{buffer_bytes, surface::Counter, EdgeSlot, Framebuffer, Index4, Index8, Rect};
 use playground::{

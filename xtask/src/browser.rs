@@ -90,7 +90,8 @@ impl Browser {
     /// Calls a method and waits for what it returns.
     fn call(&mut self, session: Option<&str>, method: &str, params: Value) -> Result<Value> {
         self.last += 1;
-        let mut message = json!({ "id": self.last, "method": method, "params": params });
+        let mut message = json!({ "id": self.last, "method": method });
+        message["params"] = params;
         if let Some(session) = session {
             message["sessionId"] = session.into();
         }
