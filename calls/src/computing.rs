@@ -242,7 +242,7 @@ calls! {
     [Span]
     clip => a.span().clip(other);
     [SoftRow]
-    span => soft_rows(a.corners_fx(), window, |row| row.span());
+    span => soft_rows(a.corners_fx(), window, |row| (1, row.span()));
     left => soft_rows(a.corners_fx(), window, |row| sum(row.left().iter().copied()));
     right => soft_rows(a.corners_fx(), window, |row| sum(row.right().iter().copied()));
     each => soft_rows(a.corners_fx(), window, |row| {

@@ -222,7 +222,7 @@ fn every_pattern<F: PixelFormat<Color: PixelFormat<Color = F::Color> + core::fmt
     let (clip, area) = (input.area_near(window), input.area_near(window));
     let origin = Point::new(input.near(0, 1), input.near(0, 1));
     let from = |at: i32, origin: i32, size: i64| (i64::from(at) - i64::from(origin)).rem_euclid(size) as i32;
-    let mut shape = Area { clip, area, before: (0..512).map(|n| n as u8 ^ input.byte()).collect() };
+    let mut shape = Filled { clip, area, before: (0..512).map(|n| n as u8 ^ input.byte()).collect() };
     match input.below(6) {
         0 | 1 => {
             let rows = [(); 8].map(|()| input.byte());
@@ -253,13 +253,13 @@ fn every_pattern<F: PixelFormat<Color: PixelFormat<Color = F::Color> + core::fmt
 }
 
 /// A rectangle in a clip, on noise.
-struct Area {
+struct Filled {
     clip: Rect,
     area: Rect,
     before: Vec<u8>,
 }
 
-impl Area {
+impl Filled {
     fn check<F: PixelFormat<Color: core::fmt::Debug>>(
         &mut self,
         paint: impl for<'a> Paint<Frame<&'a mut [u8], Rows<F>>>,
