@@ -71,7 +71,7 @@ pub(super) fn in_bands<T>(
 
 /// How many rows to take next, when `rows` rows had `count` sides: of the rows that are left as large a part as may fit with 1/8 of
 /// the capacity to spare, and parts of one size.
-fn shared(left: i32, rows: i32, capacity: usize, count: usize) -> i32 {
+pub(super) fn shared(left: i32, rows: i32, capacity: usize, count: usize) -> i32 {
     let [capacity, count] = [capacity, count].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
     let Some(count) = NonZeroU32::new(count) else { return left };
     // Below 2^15 times 2^16.

@@ -114,12 +114,12 @@ where
     let along_rows = |band: Rect, table: &mut [EdgeSlot]| {
         let mut loader = Loader::<true>::new(band, table);
         loader.contours(contours.clone());
-        loader.loaded
+        loader.counted()
     };
     let along_columns = |band: Rect, table: &mut [EdgeSlot]| {
         let mut loader = Loader::<true>::new(band, table);
         loader.contours(flip(contours.clone()));
-        loader.loaded
+        loader.counted()
     };
     let columns = Rect { x0: window.y0, y0: window.x0, x1: window.y1, y1: window.x1 };
     let is_on = |gap: Gap| drop_out.stubs || goes_on(contours.clone(), gap);

@@ -99,6 +99,13 @@ impl EdgeSlot {
         self.crossing.set(Stepper::new(d, (first, rest), (slope, part << 8)));
     }
 
+    /// Takes the side of another slot, as far as the rows above `bottom`. What else is in the slot stays there.
+    pub(super) fn take_over(&mut self, other: &Self, bottom: i32) {
+        self.crossing.set(other.crossing.get());
+        self.y.set(other.y.get());
+        self.end = other.end().min(bottom).wrapping_mul(4) | (other.end & 3);
+    }
+
     /// The remainder of its crossing, and the divisor.
     pub(super) fn remainder(&self) -> (u32, u32) {
         self.crossing.get().remainder()

@@ -9,6 +9,7 @@
 use core::{cell::Cell, mem::replace};
 
 use super::edge::{EdgeSlot, END};
+use crate::tune::COMPACT;
 
 /// Sorting merges runs in pairs, what comes out in pairs again, and so on. These levels are enough for 2^16 runs.
 const LEVELS: usize = 17;
@@ -21,14 +22,29 @@ pub(super) fn get(table: &[EdgeSlot], place: u16) -> Option<&EdgeSlot> {
 
 /// Merges two sorted lists: the edges of the second one are linked into the first.
 #[inline(never)]
-pub(super) fn merge(table: &[EdgeSlot], a: u16, mut b: u16) -> u16 {
+pub(super) fn merge(table: &[EdgeSlot], a: u16, b: u16) -> u16 {
+    merge_by(EdgeSlot::order, table, a, b)
+}
+
+/// The same for edges that are on their way, which are all of one row. Most edges are looked at here.
+#[cfg_attr(not(embedded_raster_compact), inline(never))]
+#[cfg_attr(embedded_raster_compact, inline)]
+pub(super) fn join(table: &[EdgeSlot], a: u16, b: u16) -> u16 {
+    if COMPACT {
+        return merge(table, a, b);
+    }
+    merge_by(EdgeSlot::x, table, a, b)
+}
+
+#[inline(always)]
+fn merge_by<K: PartialOrd>(order: impl Fn(&EdgeSlot) -> K, table: &[EdgeSlot], a: u16, mut b: u16) -> u16 {
     let first = Cell::new(a);
     let mut end = &first;
     while let Some(edge) = get(table, b) {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Step);
-        let order = edge.order();
-        while let Some(left) = get(table, end.get()).filter(|left| left.order() <= order) {
+        let key = order(edge);
+        while let Some(left) = get(table, end.get()).filter(|left| order(left) <= key) {
             #[cfg(test)]
             crate::num::tally::add(crate::num::tally::Work::Step);
             end = &left.link;

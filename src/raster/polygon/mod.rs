@@ -13,9 +13,9 @@
 //! Sides that lie right of the window as a whole are left out. They change no pixel of it, but a span that would end at one of
 //! them has no right end, and goes to the side of the window.
 //!
-//! The table is the caller's. When more sides cross the window than it holds, the fill takes fewer rows at a time, in proportion.
-//! It fails only when a single row has too many sides, and it finds that out before it emits a span; [`edge_slots`] tells how many
-//! slots are enough.
+//! The table is the caller's. When more sides cross the window than it holds, the fill takes fewer rows at a time: as many as there
+//! is room for, which turns out while they are loaded. It fails only when a single row has too many sides, and it finds that out before
+//! it emits a span; [`edge_slots`] tells how many slots are enough.
 //!
 //! Memory: 32 bytes a side, at most 65,535 sides at a time. Work: sides times bands; `n log n` to sort the sides, less when
 //! their first rows are spread evenly; on each row of the window the active sides, which are those that cross it and do not lie
@@ -33,20 +33,19 @@ pub mod drop_out;
 
 mod edge;
 mod list;
+mod load;
 
 pub use self::edge::EdgeSlot;
+pub(crate) use self::load::Loader;
 use self::{
     edge::{ACTIVE, END},
-    list::{get, merge, sort},
+    list::{get, join, merge, sort},
+    load::{Found, SHRINKS},
 };
 use super::bands::{self, most_of_a_row, Loaded, CHECKED};
 use crate::{
     error::EdgeTableFull,
-    geom::{
-        bits,
-        polygon::{bounds, each_side},
-        PointFx,
-    },
+    geom::{polygon::bounds, PointFx},
     num::{
         cast::{index, index_u16, signed, unsigned},
         round::first_centre_from,
@@ -114,13 +113,64 @@ pub(crate) fn fill_sides(
     if window.is_empty() || window.x1 <= -PLACES {
         return Ok(());
     }
+    if SHRINKS {
+        return fill_once(sides, rule, table, window, sink);
+    }
     let load = |band: Rect, table: &mut [EdgeSlot]| {
         let mut loader = Loader::new(band, table);
         sides(band, &mut loader);
-        loader.loaded
+        loader.counted()
     };
     let scan = |table: &[EdgeSlot], band: &Loaded| scan(table, band, rule, window, &mut sink);
     in_bands(load, table, window, CHECKED, scan)
+}
+
+/// Loads and paints band after band, each as high as there is room in the table. So the sides are asked for once for each band, and
+/// once more for a window of so many rows that their counts in the table do not tell whether each has enough slots.
+#[inline(always)]
+fn fill_once(
+    sides: &dyn Fn(Rect, &mut Loader<'_>),
+    rule: FillRule,
+    table: &mut [EdgeSlot],
+    window: Rect,
+    mut sink: impl Sink,
+) -> Result<(), EdgeTableFull> {
+    // Places in the table are 16 bits; the last one means "none".
+    let slots = table.len().min(usize::from(END));
+    let Some(table) = table.get_mut(..slots) else { return Ok(()) };
+    let (mut band, mut all) = (window, None);
+    loop {
+        let mut loader = Loader::new(band, table);
+        sides(band, &mut loader);
+        let found = loader.found();
+        let end = *all.get_or_insert(found.end);
+        if !found.fits && band == window {
+            check_rows(sides, table.len(), window)?;
+        }
+        let Found { loaded, bottom, .. } = found;
+        scan(table, &loaded, rule, window, &mut sink);
+        if bottom >= end {
+            return Ok(());
+        }
+        // The first rows may have no side.
+        let rows = bottom.wrapping_sub(band.y0.max(loaded.first.min(bottom)));
+        let rows = bands::shared(end.wrapping_sub(bottom), rows, slots, loaded.count);
+        band = Rect { y0: bottom, y1: bottom.saturating_add(rows).min(end), ..window };
+    }
+}
+
+/// Finds the row that has too many sides, if there is one.
+#[cold]
+#[inline(never)]
+fn check_rows(sides: &dyn Fn(Rect, &mut Loader<'_>), slots: usize, window: Rect) -> Result<(), EdgeTableFull> {
+    let count = |band: Rect, _: &mut [()]| {
+        let mut loader = Loader::new(band, &mut []);
+        sides(band, &mut loader);
+        loader.counted()
+    };
+    // Of slots of no size: nothing but their number counts.
+    let mut table = [(); END as usize];
+    bands::in_bands(table.get_mut(..slots).unwrap_or_default(), window, &[false], count, |_, _| {})
 }
 
 /// [`bands::in_bands`], of as much of the table as places in it can name.
@@ -178,7 +228,7 @@ pub(crate) fn edge_slots_of_sides(sides: &dyn Fn(Rect, &mut Loader<'_>), window:
         let band = Rect { y0, y1, ..window };
         let mut loader = Loader::new(band, &mut []);
         sides(band, &mut loader);
-        loader.loaded
+        loader.counted()
     };
     let whole = count(window.y0, window.y1);
     let least = most_of_a_row(whole.first, whole.end, 0, |y0, y1| count(y0, y1).count);
@@ -200,70 +250,6 @@ where
     let Some((low, high)) = bounds(contours.into_iter().flatten()) else { return Rect::default() };
     let pixel = first_centre_from;
     Rect { x0: pixel(low.0), y0: pixel(low.1), x1: pixel(high.0), y1: pixel(high.1) }
-}
-
-/// Fills the table with the sides that cross the rows of a band, but for those right of it; goes on counting when it is full. Where
-/// they are to be `EXACT`, remainders of crossings can be compared.
-pub(crate) struct Loader<'a, const EXACT: bool = false> {
-    table: &'a mut [EdgeSlot],
-    rows: (i32, i32),
-    /// The centres of the last column: what lies right of them has no crossing at or left of a centre.
-    right: i32,
-    loaded: Loaded,
-}
-
-impl<'a, const EXACT: bool> Loader<'a, EXACT> {
-    fn new(band: Rect, table: &'a mut [EdgeSlot]) -> Self {
-        #[cfg(test)]
-        crate::num::tally::add(crate::num::tally::Work::Band);
-        let Rect { y0: top, y1: bottom, .. } = band;
-        // It is a coordinate, though the product may be 2^31.
-        let right = band.x1.wrapping_mul(256).wrapping_sub(128);
-        Self { table, rows: (top, bottom), right, loaded: Loaded { count: 0, first: bottom, end: top } }
-    }
-
-    /// The side from a to b.
-    #[inline(never)]
-    pub(crate) fn side(&mut self, a: PointFx, b: PointFx) {
-        self.add((a, first_centre_from(bits(a).1)), (b, first_centre_from(bits(b).1)));
-    }
-
-    /// Closed contours.
-    fn contours<C>(&mut self, contours: C)
-    where
-        C: IntoIterator,
-        C::Item: IntoIterator,
-        <C::Item as IntoIterator>::Item: Borrow<PointFx>,
-    {
-        for contour in contours {
-            // By reference: it may have many words.
-            let mut contour = contour.into_iter();
-            let vertices = contour.by_ref().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
-            each_side(vertices, |a, b| self.add(a, b));
-        }
-    }
-
-    /// A side between two places and the first rows whose centres are not above them.
-    #[inline(always)]
-    fn add(&mut self, (a, ay): (PointFx, i32), (b, by): (PointFx, i32)) {
-        #[cfg(test)]
-        crate::num::tally::add(crate::num::tally::Work::Edge);
-        let (y, end) = (ay.min(by).max(self.rows.0), ay.max(by).min(self.rows.1));
-        if y >= end || bits(a).0.min(bits(b).0) > self.right {
-            return;
-        }
-        let loaded = &mut self.loaded;
-        loaded.first = loaded.first.min(y);
-        loaded.end = loaded.end.max(end);
-        if let Some(slot) = self.table.get_mut(loaded.count) {
-            if EXACT {
-                slot.put_exact(a, b, (y, end), ay < by);
-            } else {
-                slot.put(a, b, (y, end), ay < by);
-            }
-        }
-        loaded.count = loaded.count.wrapping_add(1);
-    }
 }
 
 /// The edges whose first row is still to come, in buckets of `2^shift` rows.
@@ -439,7 +425,7 @@ fn descend(table: &[EdgeSlot], active: u16, joining: u16, y: i32) -> u16 {
         last = x;
         end = &edge.link;
     }
-    let list = if joining == END { list.get() } else { merge(table, list.get(), joining) };
+    let list = if joining == END { list.get() } else { join(table, list.get(), joining) };
     if overtaken == END {
         return list;
     }
