@@ -58,12 +58,13 @@ impl<'a, const CURVED: bool> Border<'a, CURVED> {
         match self.last {
             Last::Side => pieces.join(&self.end, &from, start == Start::Smooth),
             Last::Nothing if start == Start::Ring => (self.first, self.has_first) = (from, true),
-            Last::Nothing => pieces.cap(&from, ua.back()),
+            Last::Nothing => pieces.cap(&from, true),
             Last::Hidden if is_drawn => pieces.across(a, opposite(from.offset)),
             Last::Hidden => {}
         }
         self.last = Last::Side;
-        self.end = pieces.end(b, ub, a, is_straight, is_drawn);
+        // The offset is the same, too.
+        self.end = if is_straight { End { at: b, other: a, ..from } } else { pieces.end(b, ub, a, false, is_drawn) };
         if !is_drawn {
             return;
         }
@@ -97,7 +98,7 @@ impl<const CURVED: bool> Follow for Border<'_, CURVED> {
     #[cfg_attr(embedded_raster_compact, inline(never))]
     fn stop(&mut self) {
         if self.last == Last::Side {
-            self.pieces.cap(&self.end, self.end.u);
+            self.pieces.cap(&self.end, false);
         }
         self.last = Last::Nothing;
     }
@@ -107,11 +108,11 @@ impl<const CURVED: bool> Follow for Border<'_, CURVED> {
         match (self.last, self.has_first) {
             (Last::Side, true) => self.pieces.join(&self.end, &self.first, false),
             // Of a ring without a start nothing can be seen there, or a dash ends there.
-            (Last::Side, false) => self.pieces.cap(&self.end, self.end.u),
+            (Last::Side, false) => self.pieces.cap(&self.end, false),
             (Last::Hidden, true) if self.first.is_drawn => {
                 self.pieces.across(self.first.at, opposite(self.first.offset));
             }
-            (Last::Nothing, true) => self.pieces.cap(&self.first, self.first.u.back()),
+            (Last::Nothing, true) => self.pieces.cap(&self.first, true),
             _ => {}
         }
         (self.last, self.has_first) = (Last::Nothing, false);

@@ -13,6 +13,7 @@ use crate::{
         round::{difference, div_rem_wide},
     },
     span::Rect,
+    tune::COMPACT,
 };
 
 /// For widths up to the first number: cosine and sine, times 2^30, of the turn from one vertex of a fan to the next. The turns are
@@ -28,6 +29,9 @@ const TURNS: [(u32, (i32, i32)); 9] = [
     (3_145_728, (1_073_721_611, 6_588_356)),
     (u32::MAX, (1_073_736_771, 3_294_193)),
 ];
+
+/// Whether a place is looked at by itself before the box of two places is.
+const LOOKS_FIRST: bool = !COMPACT;
 
 /// What all pieces of a stroke are made from.
 #[derive(Copy, Clone, Debug)]
@@ -64,7 +68,12 @@ impl Sight {
 
     /// Whether what lies around two places, but for tips of miters, cannot be seen.
     pub(super) fn hides(&self, a: PointFx, b: PointFx) -> bool {
-        self.near.hides(a, b, 0)
+        !self.shows(a) && self.near.hides(a, b, 0)
+    }
+
+    /// Whether a place is seen at first sight, as most are. Built for size, nothing is.
+    pub(super) fn shows(&self, v: PointFx) -> bool {
+        LOOKS_FIRST && self.near.holds(v)
     }
 
     /// Whether a join cannot be seen, whatever its kind.

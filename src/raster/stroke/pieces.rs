@@ -73,17 +73,18 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
         self.line(at, moved(at, to));
     }
 
-    /// The end of a side, as seen in this direction, from the right to the left.
+    /// The cap where a side ends, or where it starts.
     #[cfg_attr(embedded_raster_compact, inline(never))]
-    pub(super) fn cap(&mut self, end: &End, u: Direction) {
+    pub(super) fn cap(&mut self, end: &End, is_start: bool) {
         if end.is_drawn {
-            self.cap_at(end.at, u);
+            let (u, offset) = if is_start { (end.u.back(), opposite(end.offset)) } else { (end.u, end.offset) };
+            self.cap_at(end.at, u, offset);
         }
     }
 
+    /// What is at the end of a line that goes this way, from the right to the left.
     #[inline]
-    fn cap_at(&mut self, at: PointFx, u: Direction) {
-        let offset = u.right().offset(self.pen.width);
+    fn cap_at(&mut self, at: PointFx, u: Direction, offset: Offset) {
         match self.pen.cap {
             Cap::Butt => self.across(at, offset),
             Cap::Square => {
@@ -200,7 +201,7 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
             Cap::Butt => {}
             Cap::Square => {
                 for u in [Direction::RIGHT, Direction::RIGHT.back()] {
-                    self.cap_at(at, u);
+                    self.cap_at(at, u, u.right().offset(self.pen.width));
                 }
             }
             Cap::Round => self.disc(at),
