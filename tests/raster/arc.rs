@@ -9,6 +9,8 @@
     reason = "tests mix widths on purpose"
 )]
 
+use std::collections::HashSet;
+
 use embedded_raster::{
     raster::{
         arc::{self, Sector},
@@ -171,6 +173,34 @@ fn rounded_rectangles_of_small_sizes() {
                 let (x, y) = (rng.range(0, 26), rng.range(0, 26));
                 check_rounded(area, radii, window_near(&mut rng, x, y));
             }
+        }
+    }
+}
+
+/// What an outline encloses, told by a flood: all that cannot be reached from outside, from side to side, without a pixel of the
+/// outline. For all sizes up to 24 x 24, all radii that differ, and corners that differ. So what is filled never shows beyond the outline
+/// that is drawn over it, and no ground shows between the two.
+#[test]
+fn what_is_filled_inside_of_an_outline_is_what_a_flood_cannot_reach() {
+    let mut rng = Rng::new(406);
+    for (width, height) in (1..=24).flat_map(|w| (1..=24).map(move |h| (w, h))) {
+        let (area, window) = (Rect::new(0, 0, width, height), Rect::new(-1, -1, width + 1, height + 1));
+        let mut r = || rng.below(14) as u32;
+        let mixed = [(); 4].map(|()| Radii { top_left: r(), top_right: r(), bottom_right: r(), bottom_left: r() });
+        for radii in (0..=width.min(height) as u32 / 2).map(Radii::all).chain(mixed) {
+            let border: HashSet<(i32, i32)> = collect(window, |emit| rounded::outline(area, radii, window, emit))
+                .into_iter()
+                .flat_map(|(y, x0, x1)| (x0..x1).map(move |x| (x, y)))
+                .collect();
+            let (mut outside, mut next) = (HashSet::new(), vec![(-1, -1)]);
+            while let Some((x, y)) = next.pop() {
+                if window.contains(x, y) && !border.contains(&(x, y)) && outside.insert((x, y)) {
+                    next.extend([(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)]);
+                }
+            }
+            let got = collect(window, |emit| rounded::enclosed(area, radii, window, emit));
+            let wanted = runs_where(window, |x, y| !outside.contains(&(x, y)));
+            assert_runs(window, &got, &wanted, || format!("{area:?} {radii:?}"));
         }
     }
 }
