@@ -18,6 +18,7 @@ mod engine;
 mod frame;
 mod judge;
 mod oracle;
+mod pictures;
 mod plain;
 mod plot;
 mod report;
@@ -52,10 +53,11 @@ cargo run --release -p lab -- [OPTIONS]
   --rims        only soft rims beside a loop of stores: printed
   --stores      only shaded triangles beside a loop of stores: printed
   --dither      what the eye sees of ordered dither: printed
+  --pictures    pictures stretched and under maps: printed
   --samples     counts values that are not as promised, of tens of millions; fails when there is one
 
 The peers that shade triangles take part in --shading and --stores with `--features peers-3d`, those that antialias in
---coverage and --rims with `--features peers-aa`.
+--coverage and --rims with `--features peers-aa`, those that draw pictures in --pictures with `--features peers-pictures`.
 ";
 
 /// What is measured.
@@ -69,6 +71,7 @@ enum What {
     Coverage,
     Rims,
     Dither,
+    Pictures,
 }
 
 struct Options {
@@ -96,6 +99,7 @@ fn options() -> Result<Options> {
             Long("coverage") => options.what = What::Coverage,
             Long("rims") => options.what = What::Rims,
             Long("dither") => options.what = What::Dither,
+            Long("pictures") => options.what = What::Pictures,
             Long("samples") => options.what = What::Samples,
             Long("out") => options.out = Some(parser.value()?.into()),
             Long("child") => options.child = Some(parser.value()?.string()?),
@@ -170,6 +174,7 @@ fn child(name: &str, quick: bool) -> Result<()> {
         Some("floods") => floods(quick).child(name),
         Some("memory") => memory(quick).child(name),
         Some("plain") => plain::child(name),
+        Some("pictures") => pictures::child(name),
         Some("gouraud") => shading::gouraud(quick).child(name),
         Some("depth16") => shading::depth16(quick).child(name),
         Some("depth32") => shading::depth32(quick).child(name),
@@ -306,6 +311,10 @@ fn main() -> Result<()> {
         }
         What::Dither => {
             print!("{}", dither::report());
+            Ok(())
+        }
+        What::Pictures => {
+            println!("{}", pictures::report(counter().as_ref(), quick)?);
             Ok(())
         }
         What::Samples => shading::samples::run(quick),
