@@ -10,7 +10,7 @@ use crate::budget::{self, Columns};
 use crate::firmware::{project, Build, Opt};
 use crate::proofs::{self, Proofs};
 use crate::steps::step;
-use crate::{cube, moving, playground, readme, scene, symbols, Chip};
+use crate::{bands, cube, moving, playground, readme, scene, symbols, Chip};
 
 /// A variable that `build.rs` reads, and its value.
 type Switch = (&'static str, &'static str);
@@ -63,6 +63,7 @@ pub fn full() -> Result<()> {
             scene::check_all(&builds)?;
             cube::check_all(&builds)?;
             moving::check_all(&builds)?;
+            bands::check_all(&builds)?;
             playground::check_chips(&builds)
         })?;
     }

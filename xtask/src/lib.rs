@@ -13,6 +13,7 @@
 //!                                                      scene: whole frames, compared with the host's
 //!                                                      cube: with little RAM, in bands
 //!                                                      moving: frame after frame
+//!                                                      bands: RAM against cycles
 //!                                                      budget: what has grown
 //! ```
 //!
