@@ -346,14 +346,14 @@ pub trait Canvas: Surface {
         values: [(Z::Number, V); 3],
         depth: &mut Frame<M, Rows<Z>>,
         passes: impl Fn(&Z::Number, &Z::Number) -> bool,
-        mut color: impl FnMut(V) -> Self::Color,
+        color: impl FnMut(V) -> Self::Color,
     ) -> Result<(), TriangleTooLarge>
     where
         Self: Sized,
     {
         let facet = Facet::of_any_size(corners);
         facet.fits(corners)?;
-        depth::fill((self, depth), (corners, &facet), values, passes, |values, _| Some(color(values)));
+        depth::fill((self, depth), (corners, &facet), values, passes, color);
         Ok(())
     }
 

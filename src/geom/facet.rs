@@ -228,23 +228,36 @@ impl Facet {
         Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
     }
 
-    /// The same of a byte in a triangle of 63 pixels: what is gained in a unit is below 2^22, and the numerator of the start below
-    /// 2^37.
+    /// The slopes of a number of up to 16 bits in a [small](Self::is_small) triangle, with [`WORD_BITS`](Self::WORD_BITS) of fraction
+    /// in 64 bits: at the first pixel of the box, to the right, and downwards.
+    ///
+    /// All of it is computed from what is gained in a unit, above which is D: the numerator is below 2^31, and the ratio above the true
+    /// one by at most 5 units of the fraction. No pixel of the triangle is farther from the first corner than 63 pixels, so numbers
+    /// are off by at most 80,640 units; 2^17 are added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The
+    /// other half of that is more than 2^21 units.
     #[inline(always)]
-    pub(crate) fn small_bytes(&self, corners: [i32; 3]) -> Option<[u64; 3]> {
-        let scale = self.small_scale(63)?;
-        Some(self.small_slopes(scale, corners, 2, 6))
+    pub(crate) fn small_words(&self, [v0, v1, v2]: [i32; 3]) -> Option<[u64; 3]> {
+        let scale = self.divisor.scale(Self::WORD_BITS).filter(|_| self.is_small())?;
+        let ([b, c], (v1, v2)) = (self.sides, (v1.wrapping_sub(v0), v2.wrapping_sub(v0)));
+        let right = scale.ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)), 3);
+        let down = scale.ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)), 3);
+        let (back_x, back_y) = self.back();
+        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
+        let at =
+            (i64::from(v0) << Self::WORD_BITS).cast_unsigned().wrapping_add((1 << (Self::WORD_BITS - 1)) + (1 << 17));
+        let (right, down) = (right << 8, down << 8);
+        Some([at.wrapping_sub(way).wrapping_add(right).wrapping_add(down), right, down])
     }
 
-    /// The same of a number of 16 bits in a triangle of 63 pixels.
-    ///
-    /// Sides are at most 63 pixels long, and the product of width and height is below 2^26. So what is gained in a unit is below 2^31,
-    /// and the numerator of the start below 2^44. Gains are above the true ones by at most 5 units of the fraction, the start by at
-    /// most 66. As D is below 2^27, all of that together is less than 1 / D. Of the start, the low 64 bits.
+    /// Bits of the fraction of numbers in small triangles.
+    pub(crate) const WORD_BITS: u32 = 48;
+
+    /// From the pixel before the first of the box, each way, to the first corner, in units: at least half a pixel, less than 2^16 in a
+    /// small triangle.
     #[inline(always)]
-    pub(crate) fn word_slopes(&self, corners: [i32; 3]) -> Option<[u64; 3]> {
-        let scale = self.small_scale(63)?;
-        Some(self.small_slopes(scale, corners, 3, 34))
+    fn back(&self) -> (u32, u32) {
+        let (x, y) = self.centre_of_first();
+        (256_i32.wrapping_sub(x).unsigned_abs(), 256_i32.wrapping_sub(y).unsigned_abs())
     }
 
     /// The slopes of levels of up to 6 bits in a [small](Self::is_small) triangle.
@@ -262,12 +275,11 @@ impl Facet {
 
     #[inline(always)]
     fn levels(&self, scale: Scale, [v0, v1, v2]: [u8; 3]) -> [u64; 3] {
-        let ([b, c], (x, y)) = (self.sides, self.centre_of_first());
+        let [b, c] = self.sides;
         let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
         let right = scale.narrow_ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
         let down = scale.narrow_ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
-        // From a pixel beyond the first one back to the corner: at least half a pixel each way.
-        let (back_x, back_y) = (256_i32.wrapping_sub(x).unsigned_abs(), 256_i32.wrapping_sub(y).unsigned_abs());
+        let (back_x, back_y) = self.back();
         let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
         let beyond = (u64::from(v0) << Self::SMALL_BITS).wrapping_add((1 << (Self::SMALL_BITS - 1)) + 66);
         let start = beyond.wrapping_sub((signed_wide(way) >> 8).cast_unsigned()).wrapping_add(right).wrapping_add(down);

@@ -7,7 +7,7 @@
 //! pixel.
 //!
 //! The values are the same: both are the nearest ones. What D and the number of steps allow is said where the sums are made: in
-//! `Facet::small_levels`, `Facet::small_bytes` and `Facet::word_slopes`.
+//! `Facet::small_levels` and `Facet::small_words`.
 
 use core::fmt::Debug;
 

@@ -27,18 +27,17 @@
 //!
 //! Source: E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces", 1974 (the z-buffer).
 
+mod small;
+
+use self::small::Rest;
 use super::traits::Paint;
 use crate::{
     geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
     num::cast::unsigned,
-    raster::triangle::{self, Tiny},
+    raster::triangle::{self, TinySpans},
     span::ClippedSpan,
     surface::{self, Depth, Frame, Inside, Said, Surface},
-    tune::COMPACT,
 };
-
-/// Whether small triangles have a loop of their own.
-const SMALL: bool = !COMPACT;
 
 /// Nearer than what is there.
 #[inline(always)]
@@ -195,111 +194,80 @@ fn paint<S: Surface, Z: Depth, V: Varying>(
 }
 
 /// Fills a triangle with colours that a function makes of the values at its corners, where its depths pass a test, and keeps these.
-/// Where the function answers `None`, colour and depth of the pixel stay as they are.
 #[inline(always)]
 pub(crate) fn fill<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
     (corners, facet): ([PointFx; 3], &Facet),
     values: [(Z::Number, V); 3],
     passes: impl Fn(&Z::Number, &Z::Number) -> bool,
-    mut color: impl FnMut(V, Z::Number) -> Option<S::Color>,
+    mut color: impl FnMut(V) -> S::Color,
 ) {
-    if !fill_small((on, depth), (corners, facet), &values, &passes, &mut color) {
-        let window = on.window().intersection(depth.window());
-        let mut shade = DepthShade::over(depth, facet, values, passes, color);
-        triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
+    let is_done = fill_small((&mut *on, &mut *depth), (corners, facet), &values, &passes, |on, rest, values| {
+        rest.paint::<S, V>(on, values, &passes, &mut color);
+    });
+    if !is_done {
+        fill_any((on, depth), (corners, facet), values, passes, |values, _| Some(color(values)));
     }
 }
 
-/// The same for a triangle that is small, and tiny in its window. If it is neither, nothing is drawn, and it returns `false`.
-///
-/// In a mesh, most triangles are hidden as a whole. So up to the first row in which a pixel is seen, only depths are compared; how the
-/// values change is found there.
+/// The same where the function may answer `None`: then colour and depth of the pixel stay as they are.
+#[inline(always)]
+pub(crate) fn fill_some<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: [(Z::Number, V); 3],
+    passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+    mut color: impl FnMut(V, Z::Number) -> Option<S::Color>,
+) {
+    let is_done = fill_small((&mut *on, &mut *depth), (corners, facet), &values, &passes, |on, rest, values| {
+        rest.paint_some::<S, V>(on, values, &passes, &mut color);
+    });
+    if !is_done {
+        fill_any((on, depth), (corners, facet), values, passes, color);
+    }
+}
+
+/// The same for any triangle.
+#[inline(always)]
+fn fill_any<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
+    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
+    (corners, facet): ([PointFx; 3], &Facet),
+    values: [(Z::Number, V); 3],
+    passes: impl Fn(&Z::Number, &Z::Number) -> bool,
+    color: impl FnMut(V, Z::Number) -> Option<S::Color>,
+) {
+    let window = on.window().intersection(depth.window());
+    let mut shade = DepthShade::over(depth, facet, values, passes, color);
+    triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
+}
+
+/// Calls `paint` with the rows of a triangle from the first one on in which a pixel passes, if there is one, and with the values there.
+/// If the triangle is not small, or not tiny in its window, it is not called, and the answer is `false`.
 #[inline(always)]
 fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
     (corners, facet): ([PointFx; 3], &Facet),
-    values: &[(Z::Number, V); 3],
+    corner_values: &[(Z::Number, V); 3],
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
-    color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
+    paint: impl FnOnce(&mut S, &mut Rest<'_, Z>, V::Small),
 ) -> bool {
     let window = on.window().intersection(depth.window());
     if window.is_empty() {
         return true;
     }
-    if !SMALL || !<<(Z::Number, V) as Varying>::Small as Small<_>>::EXISTS || !facet.is_small() {
+    if !V::Small::EXISTS {
         return false;
     }
-    let depths = Z::Number::small(facet, values.each_ref().map(|corner| corner.0));
-    let (Some(rows), Some(mut depths)) = (Tiny::new(corners, window), depths) else { return false };
-    let (x, y) = facet.first();
-    depths.skip(unsigned(rows.y().wrapping_sub(y)));
-    let mut rest = Rest { rows, depths, x };
-    if hidden_rows(depth, &mut rest, passes) {
+    let depths = corner_values.each_ref().map(|corner| corner.0);
+    let mut spans = TinySpans::new();
+    let Some(mut rest) = Rest::new(&mut spans, depth, window, (corners, facet), depths) else { return false };
+    if rest.is_hidden(passes) {
         return true;
     }
-    let Some(mut values) = V::small(facet, values.each_ref().map(|corner| corner.1)) else { return false };
-    values.skip(unsigned(rest.rows.y().wrapping_sub(y)));
-    seen_rows::<S, M, Z, V>((on, depth), rest, values, passes, color);
+    let Some(mut values) = V::small(facet, corner_values.each_ref().map(|corner| corner.1)) else { return false };
+    values.skip(unsigned(rest.y().wrapping_sub(facet.first().1)));
+    paint(on, &mut rest, values);
     true
-}
-
-/// What is left of a small triangle: its rows, the depths in the first column, and which column that is.
-struct Rest<Z> {
-    rows: Tiny,
-    depths: Z,
-    x: i32,
-}
-
-/// Goes on to a row in which a pixel passes; `true` if there is none.
-// Not inlined: the loop has the registers to itself.
-#[inline(never)]
-fn hidden_rows<M: AsMut<[u8]>, Z: Depth>(
-    depth: &mut Frame<M, surface::Rows<Z>>,
-    rest: &mut Rest<<Z::Number as Varying>::Small>,
-    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
-) -> bool {
-    let (mut depths, x, mut is_hidden) = (rest.depths, rest.x, true);
-    rest.rows.each_row(|span| {
-        if let Some(span) = span.known_inside() {
-            let mut z = depths.run(unsigned(span.x0().wrapping_sub(x)));
-            let passes = |cell: &Z::Cell| {
-                let passes = passes(&Z::Number::value(&z), &Z::load(*cell));
-                Z::Number::step(&mut z);
-                passes
-            };
-            is_hidden = depth.cells(span).is_none_or(|cells| !cells.iter().any(passes));
-        }
-        if is_hidden {
-            depths.below();
-        }
-        is_hidden
-    });
-    rest.depths = depths;
-    is_hidden
-}
-
-/// Paints all rows that are left.
-// Not inlined: the loop has the registers to itself.
-#[inline(never)]
-fn seen_rows<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
-    (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
-    Rest { mut rows, mut depths, x }: Rest<<Z::Number as Varying>::Small>,
-    mut values: V::Small,
-    passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
-    color: &mut impl FnMut(V, Z::Number) -> Option<S::Color>,
-) {
-    rows.each_row(|span| {
-        if let Some(span) = span.known_inside() {
-            if let Some(cells) = depth.cells(span) {
-                let right = unsigned(span.x0().wrapping_sub(x));
-                paint::<S, Z, V>(on, (span, cells), (depths.run(right), values.run(right)), (passes, true), color);
-            }
-        }
-        depths.below();
-        values.below();
-        true
-    });
 }
 
 impl<S, M, Z, V, T, F> Paint<S> for DepthShade<'_, M, Z, V, T, F>

@@ -5,9 +5,9 @@ use crate::{
     error::TriangleTooLarge,
     geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
     num::cast::unsigned,
-    raster::triangle::{self, Tiny},
-    span::ClippedSpan,
-    surface::{Inside, Said, Surface},
+    raster::triangle::{self, tiny, TinySpans},
+    span::{ClippedSpan, Span},
+    surface::{Inside, InsideRows, Said, Surface},
     tune::COMPACT,
 };
 
@@ -27,12 +27,8 @@ pub(crate) fn fill<S: Surface, V: Varying>(
 ) -> Result<(), TriangleTooLarge> {
     let facet = Facet::of_any_size(corners);
     facet.fits(corners)?;
-    let is_done = fill_small(on, (corners, &facet), &values, |on: &mut S, span, mut run: V::Run| {
-        on.write_few_inside(Inside(Said::Span(span)), |_| {
-            let value = V::value(&run);
-            V::step(&mut run);
-            color(value)
-        });
+    let is_done = fill_small(on, (corners, &facet), &values, |on, rows, values| {
+        paint_rows::<S, V>(on, rows, values, &mut color);
     });
     if !is_done {
         let mut shade = Shade::over(&facet, values, color);
@@ -49,12 +45,8 @@ pub(crate) fn fill_some<S: Surface, V: Varying>(
     values: [V; 3],
     mut color: impl FnMut(V) -> Option<S::Color>,
 ) {
-    let is_done = fill_small(on, (corners, facet), &values, |on: &mut S, span, mut run: V::Run| {
-        on.write_inside(Inside(Said::Span(span)), |_| {
-            let value = V::value(&run);
-            V::step(&mut run);
-            color(value)
-        });
+    let is_done = fill_small(on, (corners, facet), &values, |on, rows, values| {
+        paint_some_rows::<S, V>(on, rows, values, &mut color);
     });
     if !is_done {
         let mut shade = ShadeSome::new(Plane::new(facet, values), color);
@@ -62,32 +54,68 @@ pub(crate) fn fill_some<S: Surface, V: Varying>(
     }
 }
 
-/// Calls `row` with the pixels of each row, and the values there, if the triangle is small, and tiny in its window. If not, it
-/// returns `false`.
-// Not inlined: the loop has the registers to itself.
-#[inline(never)]
+/// Calls `paint` with the rows of a triangle, and the values in the first column of its box, in the first of them, if it is small, and
+/// tiny in its window. If not, it returns `false`.
+#[inline(always)]
 fn fill_small<S: Surface, V: Varying>(
     on: &mut S,
     (corners, facet): ([PointFx; 3], &Facet),
     values: &[V; 3],
-    mut row: impl FnMut(&mut S, ClippedSpan, V::Run),
+    paint: impl FnOnce(&mut S, InsideRows<'_>, V::Small),
 ) -> bool {
     if !SMALL || !V::Small::EXISTS || !facet.is_small() {
         return false;
     }
-    let (Some(mut rows), Some(mut small)) = (Tiny::new(corners, on.window()), V::small(facet, *values)) else {
-        return false;
-    };
-    let (x, y) = facet.first();
-    small.skip(unsigned(rows.y().wrapping_sub(y)));
-    rows.each_row(|span| {
-        if let Some(span) = span.known_inside() {
-            row(on, span, small.run(unsigned(span.x0().wrapping_sub(x))));
-        }
-        small.below();
-        true
-    });
+    let ((x, first_y), mut spans) = (facet.first(), TinySpans::new());
+    let Some((y, rows)) = tiny(corners, on.window(), x, &mut spans) else { return false };
+    let Some(mut small) = V::small(facet, *values) else { return false };
+    small.skip(unsigned(y.wrapping_sub(first_y)));
+    paint(on, InsideRows { x, y, spans: spans.rows().get(..rows).unwrap_or_default() }, small);
     true
+}
+
+/// Paints rows of a small triangle. The values are those in column x of the first row.
+// Not inlined: the loop has the registers to itself.
+#[inline(never)]
+pub(super) fn paint_rows<S: Surface, V: Varying>(
+    on: &mut S,
+    rows: InsideRows<'_>,
+    mut values: V::Small,
+    color: &mut impl FnMut(V) -> S::Color,
+) {
+    let start = |right: u8| {
+        let run = values.run(right.into());
+        values.below();
+        run
+    };
+    on.write_rows_inside(rows, start, |run| {
+        let value = V::value(run);
+        V::step(run);
+        color(value)
+    });
+}
+
+/// The same in colours that may be `None`.
+#[inline(never)]
+fn paint_some_rows<S: Surface, V: Varying>(
+    on: &mut S,
+    InsideRows { x, mut y, spans }: InsideRows<'_>,
+    mut values: V::Small,
+    color: &mut impl FnMut(V) -> Option<S::Color>,
+) {
+    for &[right, pixels] in spans {
+        let x0 = x.wrapping_add(right.into());
+        if let Some(span) = (Span { y, x0, x1: x0.wrapping_add(pixels.into()) }).known_inside() {
+            let mut run = values.run(right.into());
+            on.write_inside(Inside(Said::Span(span)), |_| {
+                let value = V::value(&run);
+                V::step(&mut run);
+                color(value)
+            });
+        }
+        values.below();
+        y = y.wrapping_add(1);
+    }
 }
 
 /// The colours that a function makes of the values of a [`Plane`], pixel by pixel.

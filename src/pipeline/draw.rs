@@ -133,7 +133,7 @@ impl<V: Varying> Triangle<V> {
         let at = At::default();
         let values = [(d, (at, a.values)), (e, (at, b.values)), (f, (at, c.values))];
         let (Self { facing, number, .. }, places) = (*self, self.places());
-        paint::depth::fill((on, depth), (places, &facet), values, passes, |(At(at), values), depth| {
+        paint::depth::fill_some((on, depth), (places, &facet), values, passes, |(At(at), values), depth| {
             fragment(Fragment { at, values, depth, facing, number })
         });
     }

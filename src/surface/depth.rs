@@ -69,4 +69,18 @@ impl<M: AsMut<[u8]>, Z: Depth> Frame<M, Rows<Z>> {
         let (_, cells, _) = bytemuck::pod_align_to_mut::<u8, Z::Cell>(memory.get_mut(bytes)?);
         Some(cells)
     }
+
+    /// All depths as they lie in memory, the place of a pixel of the window among them, and how far it is to the row below. `None` where
+    /// rows are not whole depths apart.
+    #[inline(always)]
+    pub(crate) fn all_cells(&mut self, x: i32, y: i32) -> Option<(&mut [Z::Cell], usize, usize)> {
+        let (column, row) = self.place(x, y);
+        let (memory, grid) = self.write();
+        let pitch = grid.stride / size_of::<Z::Cell>();
+        if !grid.stride.is_multiple_of(size_of::<Z::Cell>()) {
+            return None;
+        }
+        let (_, cells, _) = bytemuck::pod_align_to_mut::<u8, Z::Cell>(memory);
+        Some((cells, row.wrapping_mul(pitch).wrapping_add(column), pitch))
+    }
 }

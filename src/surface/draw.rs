@@ -10,7 +10,7 @@ use super::{
     layout::Layout,
     rows::Rows,
     strip::Strip,
-    traits::{copy_by_pixels, Inside, Readable, Said, Surface},
+    traits::{copy_by_pixels, Inside, InsideRows, Readable, Said, Surface},
 };
 use crate::{
     num::cast::index,
@@ -112,6 +112,18 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
             x = x.wrapping_add(1);
             color
         });
+    }
+
+    #[inline(always)]
+    fn write_rows_inside<R>(
+        &mut self,
+        rows: InsideRows<'_>,
+        start: impl FnMut(u8) -> R,
+        color_at: impl FnMut(&mut R) -> L::Color,
+    ) {
+        let place = self.place(rows.x, rows.y);
+        let (memory, grid) = self.write();
+        L::write_rows(memory, grid, place, rows.spans, start, color_at);
     }
 
     #[inline(always)]

@@ -146,6 +146,28 @@ pub trait Layout: 'static {
         Self::write_span(memory, grid, y, columns, next);
     }
 
+    /// Writes few pixels in each of some rows that follow each other, from row y on. Of each row, `spans` has how far they are to the right
+    /// of column x, and how many they are, which may be none. `start` is given the former, and answers with what `next` makes colours of,
+    /// from left to right.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_rows<R>(
+        memory: &mut [u8],
+        grid: Grid,
+        (x, mut y): Place,
+        spans: &[[u8; 2]],
+        mut start: impl FnMut(u8) -> R,
+        mut next: impl FnMut(&mut R) -> Self::Color,
+    ) {
+        for &[right, pixels] in spans {
+            let (mut run, x0) = (start(right), x.wrapping_add(right.into()));
+            if pixels != 0 {
+                Self::write_few(memory, grid, y, (x0, x0.wrapping_add(pixels.into())), || next(&mut run));
+            }
+            y = y.wrapping_add(1);
+        }
+    }
+
     /// Writes the pixels `x0..x1` of row y from left to right. For each, `next` gives a colour, or `None` to leave it as it is.
     #[inline]
     fn write_some(

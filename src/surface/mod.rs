@@ -52,5 +52,5 @@ pub use self::{
 };
 pub(crate) use self::{
     levels::CHUNK,
-    traits::{blit_mapped, blit_mixed, Inside, Said},
+    traits::{blit_mapped, blit_mixed, Inside, InsideRows, Said},
 };

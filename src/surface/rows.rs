@@ -141,6 +141,29 @@ impl<F: PixelFormat> Layout for Rows<F> {
     }
 
     #[inline(always)]
+    fn write_rows<R>(
+        memory: &mut [u8],
+        grid: Grid,
+        (x, y): Place,
+        spans: &[[u8; 2]],
+        mut run: impl FnMut(u8) -> R,
+        mut next: impl FnMut(&mut R) -> F::Color,
+    ) {
+        let place = (start(grid, y), x);
+        if rows::write_rows::<F, R>(memory, grid.stride, place, spans, &mut run, |run| F::pack(next(run))) {
+            return;
+        }
+        let mut y = y;
+        for &[right, pixels] in spans {
+            let (mut run, x0) = (run(right), x.wrapping_add(right.into()));
+            if pixels != 0 {
+                Self::write_few(memory, grid, y, (x0, x0.wrapping_add(pixels.into())), || next(&mut run));
+            }
+            y = y.wrapping_add(1);
+        }
+    }
+
+    #[inline(always)]
     fn write_some(
         memory: &mut [u8],
         grid: Grid,

@@ -145,6 +145,28 @@ pub trait Surface {
         self.write_span_inside(what, color_at);
     }
 
+    /// The same in rows that follow each other. `start` is given what each row has, and answers with what its colours are made of, from
+    /// left to right, by `color_at`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_rows_inside<R>(
+        &mut self,
+        rows: InsideRows<'_>,
+        mut start: impl FnMut(u8) -> R,
+        mut color_at: impl FnMut(&mut R) -> Self::Color,
+    ) where
+        Self: Sized,
+    {
+        let InsideRows { x, mut y, spans } = rows;
+        for &[right, pixels] in spans {
+            let (mut run, x0) = (start(right), x.wrapping_add(right.into()));
+            if let Some(span) = (Span { y, x0, x1: x0.wrapping_add(pixels.into()) }).known_inside() {
+                self.write_few_inside(Inside(Said::Span(span)), |_| color_at(&mut run));
+            }
+            y = y.wrapping_add(1);
+        }
+    }
+
     /// [`write_some`](Self::write_some) where this crate clipped the span just before: see [`fill_inside`](Self::fill_inside).
     #[doc(hidden)]
     #[inline(always)]
@@ -203,6 +225,15 @@ pub trait Surface {
 /// Pixels that lie in the window of the surface that they are given to. Others cannot make one, nor name this type.
 #[derive(Debug)]
 pub struct Inside(pub(crate) Said);
+
+/// Spans in rows that follow each other, from row y on, all of which lie in the window: of each, how far it is to the right of column x,
+/// which lies there too or just behind it, and its pixels, which may be none. Others cannot make one, nor name this type.
+#[derive(Debug)]
+pub struct InsideRows<'a> {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) spans: &'a [[u8; 2]],
+}
 
 /// What a shape says, but for areas, which every surface clips.
 #[derive(Debug)]

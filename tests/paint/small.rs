@@ -188,3 +188,45 @@ fn nearest_colors_are_the_nearest_ones() {
         }
     }
 }
+
+/// Where rows are not whole pixels apart, in views, and where depths pass here and there.
+#[test]
+fn memory_of_any_kind_has_the_same_pixels() {
+    let (mut rng, mut painted) = (Rng::new(8), 0);
+    for kind in 0..cases(300) {
+        let units = triangle(&mut rng, kind);
+        let z = [(); 3].map(|()| level(&mut rng, 65_535) as u16);
+        let colors = [(); 3].map(|()| Rgb565::new(level(&mut rng, 31) as u8, level(&mut rng, 63) as u8, 9));
+        let pattern: Vec<u16> = (0..SIZE * SIZE).map(|_| rng.pick(&[0, 20_000, 40_000, u16::MAX])).collect();
+        // Two numbers of bytes from row to row, and where a view begins.
+        let mut memory = || (rng.pick(&[160, 161, 163, 200]), rng.pick(&[(0, 0), (5, 3), (-2, -4), (3, 16)]));
+        let ((stride, corner), (depth_stride, depth_corner)) = (memory(), memory());
+        let (mut ram, mut depth_ram) = ([0; 200 * 80], [0; 200 * 80]);
+        let view = |(x, y): (i32, i32)| Rect::new(x, y, x + SIZE, y + SIZE);
+        let mut frame = Framebuffer::<Rgb565>::with_stride(&mut ram[..], 80, 80, stride).unwrap();
+        let mut frame = frame.view(view(corner));
+        let mut depths = DepthBuffer::<Depth16>::with_stride(&mut depth_ram[..], 80, 80, depth_stride).unwrap();
+        let mut depths = depths.view(view(depth_corner));
+        let places = || (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| Point::new(x, y)));
+        let before = |at: Point| pattern[(at.y * SIZE + at.x) as usize];
+        places().for_each(|at| depths.draw_point(at, Depth16(before(at))));
+        let values = [0, 1, 2].map(|i| (z[i], colors[i]));
+        frame.depth_triangle_fx(corners(units), values, &mut depths, depth::less, |c| c).unwrap();
+        for at in places() {
+            let nearest = |n: [i64; 3]| planes::nearest(units, n, at.x, at.y) as i64;
+            let is_inside = frame.window().contains(at.x, at.y) && depths.window().contains(at.x, at.y);
+            let is_painted =
+                is_inside && triangle_has(units, at.x, at.y) && nearest(z.map(i64::from)) < i64::from(before(at));
+            let depth = if is_painted { nearest(z.map(i64::from)) as u16 } else { before(at) };
+            let color = [0, 1, 2].map(|i| if is_painted { nearest(colors.map(|c| channels(c)[i])) } else { 0 });
+            if let Some(found) = depths.get(at) {
+                assert_eq!(found, Depth16(depth), "{units:?} at {at}");
+            }
+            if let Some(found) = frame.get(at) {
+                assert_eq!(channels(found), color, "{units:?} at {at}");
+            }
+            painted += i32::from(is_painted);
+        }
+    }
+    assert!(painted > 10 * cases(300) as i32, "only {painted} pixels");
+}

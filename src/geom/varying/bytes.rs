@@ -91,8 +91,8 @@ impl Varying for u8 {
 
     #[inline(always)]
     fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
-        let sums = facet.small_bytes(corners.map(i32::from))?;
-        Some(Sums::shifted(sums, ByteSlopes::BITS - Facet::SMALL_BITS))
+        let sums = facet.small_words(corners.map(i32::from))?;
+        Some(Sums::shifted(sums, ByteSlopes::BITS - Facet::WORD_BITS))
     }
 
     #[inline(always)]

@@ -29,9 +29,8 @@ impl WordSlopes {
 
     #[inline(always)]
     fn new(facet: &Facet, corners: [i32; 3]) -> Self {
-        let Some(slopes) = facet.word_slopes(corners) else { return Self::large(facet, corners) };
-        let [start, right, down] =
-            slopes.map(|n| Mixed { whole: 0, fraction: n << (Word::BITS.wrapping_sub(Facet::SMALL_BITS)) });
+        let Some(slopes) = facet.small_words(corners) else { return Self::large(facet, corners) };
+        let [start, right, down] = slopes.map(|fraction| Mixed { whole: 0, fraction });
         Self { slopes: Slopes { start, right, down }, reach: Self::SMALL }
     }
 
@@ -86,7 +85,7 @@ pub struct Word {
 
 impl Word {
     /// Bits of the fraction.
-    const BITS: u32 = 48;
+    const BITS: u32 = Facet::WORD_BITS;
 }
 
 impl Small<Word> for Sums<u64> {
@@ -122,8 +121,8 @@ macro_rules! words {
 
             #[inline(always)]
             fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
-                let sums = facet.word_slopes(corners.map(i32::from))?;
-                Some(Sums::shifted(sums, Word::BITS - Facet::SMALL_BITS))
+                let [at, right, down] = facet.small_words(corners.map(i32::from))?;
+                Some(Sums { at, right, down })
             }
 
             #[inline(always)]

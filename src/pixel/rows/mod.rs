@@ -169,6 +169,20 @@ pub(crate) fn write<F: PixelFormat>(
     }
 }
 
+/// Writes few pixels in each of some rows, `stride` bytes apart: as many as `spans` says, and so far behind a pixel of the row. `start` is
+/// asked for each row what `next` makes bits of. `false`, and nothing is written, if there is no fast way.
+#[inline(always)]
+pub(crate) fn write_rows<F: PixelFormat, R>(
+    memory: &mut [u8],
+    stride: usize,
+    (row, x): (usize, usize),
+    spans: &[[u8; 2]],
+    start: impl FnMut(u8) -> R,
+    next: impl FnMut(&mut R) -> u32,
+) -> bool {
+    F::BITS >= 8 && word::write_rows::<F, R>(memory, (stride, row, x), spans, start, next)
+}
+
 /// Replaces the pixels `x0..x1`, which are not empty, from left to right, each by what `edit` makes of it.
 #[inline(always)]
 pub(crate) fn edit<F: PixelFormat>(

@@ -33,7 +33,7 @@ mod steps;
 mod sums;
 mod walk;
 
-pub(crate) use self::sums::Tiny;
+pub(crate) use self::sums::{tiny, TinySpan, TinySpans};
 pub use self::walk::{walk, walk_blocks};
 use crate::{
     geom::{bits, PointFx},

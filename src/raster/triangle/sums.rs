@@ -3,10 +3,13 @@
 use super::steps;
 use crate::{
     geom::{bits, PointFx},
-    num::{cast::unsigned, round::first_centre_from},
+    num::{
+        cast::{index, low_u8, unsigned},
+        round::first_centre_from,
+    },
     raster::{slope::Slope, sum::Sum},
     span::{Rect, Sink, Span},
-    tune::not_counted,
+    tune::{hidden_zero, keep_rolled, not_counted},
 };
 
 /// The most common triangles, by additions ([`Sum`]): less than 256 pixels high, with all of their columns in the window.
@@ -69,78 +72,74 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
     }
 }
 
-/// A tiny triangle, all of whose columns lie in the window, row by row.
-#[derive(Copy, Clone)]
-pub(crate) struct Tiny {
-    /// The next row, the one at which a side ends, and the one after the last.
-    y: i32,
-    end: i32,
-    last: i32,
-    /// The left and the right side in the next row.
-    left: Sum,
-    right: Sum,
-    /// The third side, where another one has ended.
-    lower: Sum,
-    long_is_left: bool,
+/// A span in a row of a tiny triangle: how far it is to the right of the first column of the triangle's box, and its pixels, which
+/// may be none.
+pub(crate) type TinySpan = [u8; 2];
+
+/// Room for the spans of a tiny triangle: it has fewer than 56 rows.
+#[derive(Debug)]
+pub(crate) struct TinySpans([u32; 28]);
+
+impl TinySpans {
+    /// With spans of no pixels.
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        // Of a zero that it knows, the compiler makes a call that takes 190 cycles on Cortex-M4.
+        Self([hidden_zero(); 28])
+    }
+
+    /// One for each row.
+    #[inline(always)]
+    pub(crate) fn rows(&mut self) -> &mut [TinySpan] {
+        bytemuck::pod_align_to_mut::<u32, TinySpan>(&mut self.0).1
+    }
 }
 
-impl Tiny {
-    /// `None` if the triangle is not tiny, or if it has no rows or not all of its columns in the window.
-    #[inline(never)]
-    pub(crate) fn new(corners: [PointFx; 3], window: Rect) -> Option<Self> {
-        let [a, b, c] = super::sorted(corners.map(bits));
-        let height = unsigned(c.1.wrapping_sub(a.1));
-        let widths = c.0.abs_diff(a.0).wrapping_add(b.0.abs_diff(a.0));
-        let (first, width) = (unsigned(window.x0) << 8, unsigned(window.x1.wrapping_sub(window.x0)) << 8);
-        let is_inside = |x: i32| unsigned(x).wrapping_sub(first) <= width;
-        let in_range = window.x0 >= 0 && window.x0 < window.x1 && window.x1 < Sum::COLUMNS;
-        let is_tiny = height.checked_add(widths).is_some_and(|sum| sum < Sum::TINY);
-        let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
-        if !in_range || !is_tiny || !is_inside(a.0) || !is_inside(b.0) || !is_inside(c.0) || y0 >= y1 {
-            return None;
-        }
-        let turn = first_centre_from(b.1).clamp(y0, y1);
-        let (long, lower) = (tiny_side(a, c, y0), tiny_side(b, c, turn));
-        let short = if y0 < turn { tiny_side(a, b, y0) } else { lower };
-        // Sides are below 2^13.8 units, products below 2^27.6.
-        let product = |p: (i32, i32), q: (i32, i32)| p.0.wrapping_sub(a.0).wrapping_mul(q.1.wrapping_sub(a.1));
-        let long_is_left = product(b, c) > product(c, b);
-        let (left, right) = if long_is_left { (long, short) } else { (short, long) };
-        Some(Self { y: y0, end: turn, last: y1, left, right, lower, long_is_left })
+/// The spans of a tiny triangle, row by row, if all of its columns lie in the window: the first row, and how many there are. They go to
+/// `spans`. `column` is the first one of its box.
+///
+/// `None` if the triangle is not tiny, or if it has no rows or not all of its columns in the window.
+#[inline(never)]
+pub(crate) fn tiny(corners: [PointFx; 3], window: Rect, column: i32, spans: &mut TinySpans) -> Option<(i32, usize)> {
+    let [a, b, c] = super::sorted(corners.map(bits));
+    let height = unsigned(c.1.wrapping_sub(a.1));
+    let widths = c.0.abs_diff(a.0).wrapping_add(b.0.abs_diff(a.0));
+    let (first, width) = (unsigned(window.x0) << 8, unsigned(window.x1.wrapping_sub(window.x0)) << 8);
+    let is_inside = |x: i32| unsigned(x).wrapping_sub(first) <= width;
+    let in_range = window.x0 >= 0 && window.x0 < window.x1 && window.x1 < Sum::COLUMNS;
+    let is_tiny = height.checked_add(widths).is_some_and(|sum| sum < Sum::TINY);
+    let (y0, y1) = (first_centre_from(a.1).max(window.y0), first_centre_from(c.1).min(window.y1));
+    if !in_range || !is_tiny || !is_inside(a.0) || !is_inside(b.0) || !is_inside(c.0) || y0 >= y1 {
+        return None;
     }
-
-    /// The next row.
-    #[inline(always)]
-    pub(crate) const fn y(&self) -> i32 {
-        self.y
+    let turn = first_centre_from(b.1).clamp(y0, y1);
+    let rows = index(y1.wrapping_sub(y0));
+    let (upper, lower) = spans.rows().get_mut(..rows)?.split_at_mut_checked(index(turn.wrapping_sub(y0)))?;
+    let (long, third) = (tiny_side(a, c, y0), tiny_side(b, c, turn));
+    let short = if y0 < turn { tiny_side(a, b, y0) } else { third };
+    // Sides are below 2^13.8 units, products below 2^27.6.
+    let product = |p: (i32, i32), q: (i32, i32)| p.0.wrapping_sub(a.0).wrapping_mul(q.1.wrapping_sub(a.1));
+    let long_is_left = product(b, c) > product(c, b);
+    let (mut left, mut right) = if long_is_left { (long, short) } else { (short, long) };
+    between(&mut left, &mut right, column, upper);
+    if long_is_left {
+        right = third;
+    } else {
+        left = third;
     }
+    between(&mut left, &mut right, column, lower);
+    Some((y0, rows))
+}
 
-    /// Calls `f` with the pixels of each row, which may be none, as long as it wants more. A row that it answers with `false` stays
-    /// the next one.
-    #[inline(always)]
-    pub(crate) fn each_row(&mut self, mut f: impl FnMut(Span) -> bool) {
-        // Not in their place, but in registers.
-        let Self { mut y, mut end, last, mut left, mut right, lower, long_is_left } = *self;
-        loop {
-            while y < end {
-                if !f(Span { y, x0: left.x(), x1: right.x() }) {
-                    *self = Self { y, end, last, left, right, lower, long_is_left };
-                    return;
-                }
-                left.step();
-                right.step();
-                y = y.wrapping_add(1);
-            }
-            if y >= last {
-                return;
-            }
-            end = last;
-            if long_is_left {
-                right = lower;
-            } else {
-                left = lower;
-            }
-        }
+/// The spans between two sides of a tiny triangle.
+#[inline(always)]
+fn between(left: &mut Sum, right: &mut Sum, column: i32, spans: &mut [TinySpan]) {
+    for span in spans {
+        keep_rolled(true);
+        let (x0, x1) = (unsigned(left.x()), unsigned(right.x()));
+        *span = [x0.wrapping_sub(unsigned(column)), x1.wrapping_sub(x0)].map(low_u8);
+        left.step();
+        right.step();
     }
 }
 

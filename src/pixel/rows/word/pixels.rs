@@ -4,7 +4,7 @@ use bytemuck::{pod_align_to, pod_align_to_mut, Pod};
 
 use crate::{
     num::cast::{low_u16, low_u8},
-    pixel::format::PixelFormat,
+    pixel::format::{bytes_per_pixel, PixelFormat},
     tune::{keep_rolled, COMPACT, UNALIGNED, VECTORS},
 };
 
@@ -181,6 +181,67 @@ where
             let Some(pixel) = next() else { break };
             *place = pixel;
         }
+    }
+}
+
+/// Writes few pixels in each of some rows: see [`rows::write_rows`](crate::pixel::rows::write_rows). `false` where rows are not whole
+/// pixels apart.
+#[inline(always)]
+pub(in crate::pixel::rows) fn write_rows<F: PixelFormat, R>(
+    memory: &mut [u8],
+    (stride, row, x): (usize, usize, usize),
+    spans: &[[u8; 2]],
+    start: impl FnMut(u8) -> R,
+    mut next: impl FnMut(&mut R) -> u32,
+) -> bool {
+    let size = bytes_per_pixel::<F>();
+    if !stride.is_multiple_of(size) {
+        return false;
+    }
+    let (place, pitch) = ((row / size).wrapping_add(x), stride / size);
+    match F::BITS {
+        8 => few_in_rows(memory, (place, pitch), spans, start, |run| low_u8(next(run))),
+        16 => {
+            if HALVES {
+                if let ([], halves, []) = pod_align_to_mut::<u8, u16>(memory) {
+                    few_in_rows(halves, (place, pitch), spans, start, |run| low_u16(next(run)).to_le());
+                    return true;
+                }
+            }
+            let pixels = pod_align_to_mut::<u8, [u8; 2]>(memory).1;
+            few_in_rows(pixels, (place, pitch), spans, start, |run| low_u16(next(run)).to_le_bytes());
+        }
+        24 => {
+            let pixels = pod_align_to_mut::<u8, [u8; 3]>(memory).1;
+            few_in_rows(pixels, (place, pitch), spans, start, |run| three(next(run)));
+        }
+        _ => {
+            let pixels = pod_align_to_mut::<u8, [u8; 4]>(memory).1;
+            few_in_rows(pixels, (place, pitch), spans, start, |run| next(run).to_le_bytes());
+        }
+    }
+    true
+}
+
+/// The same in pixels, from a place on.
+#[inline(always)]
+fn few_in_rows<R, T>(
+    pixels: &mut [T],
+    (mut place, pitch): (usize, usize),
+    spans: &[[u8; 2]],
+    mut start: impl FnMut(u8) -> R,
+    mut next: impl FnMut(&mut R) -> T,
+) {
+    for &[right, n] in spans {
+        let (mut run, first) = (start(right), place.wrapping_add(right.into()));
+        if let Some(pixels) = pixels.get_mut(first..first.wrapping_add(n.into())) {
+            for pixel in pixels {
+                // Where counters have no register, it is better unrolled.
+                keep_rolled(FOURS && UNALIGNED);
+                *pixel = next(&mut run);
+            }
+        }
+        place = place.wrapping_add(pitch);
     }
 }
 
