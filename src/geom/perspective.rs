@@ -102,7 +102,7 @@ pub trait Numbers: Copy {
     fn end(shares: &Self::Shares, pixel: Pixel, inverse: Inverse) -> Self::End;
 
     #[doc(hidden)]
-    fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even;
+    fn even(from: Self::End, to: Self::End, part: u32) -> Self::Even;
 
     #[doc(hidden)]
     fn even_value(even: &Self::Even) -> Self;
@@ -275,10 +275,16 @@ const PARTS: [u32; 65] = {
     parts
 };
 
-/// What one of so many even steps from one number to another adds, cut towards zero.
+/// The part of a way that one of so many even steps is, in 2^-32.
 #[inline(always)]
-fn gain(from: u64, to: u64, steps: u32) -> u64 {
-    let (part, falls) = (PARTS.get(steps as usize).copied().unwrap_or(0), to < from);
+fn part_of(steps: u32) -> u32 {
+    PARTS.get(steps as usize).copied().unwrap_or(0)
+}
+
+/// What one even step from one number to another adds, cut towards zero.
+#[inline(always)]
+fn gain(from: u64, to: u64, part: u32) -> u64 {
+    let falls = to < from;
     let way = if falls { from.wrapping_sub(to) } else { to.wrapping_sub(from) };
     let gain = product(whole(way), part).wrapping_add(high(low_u32(way), part).into());
     if falls {
@@ -290,8 +296,7 @@ fn gain(from: u64, to: u64, steps: u32) -> u64 {
 
 /// The same for whole numbers.
 #[inline(always)]
-fn whole_gain(from: u32, to: u32, steps: u32) -> i32 {
-    let part = PARTS.get(steps as usize).copied().unwrap_or(0);
+fn whole_gain(from: u32, to: u32, part: u32) -> i32 {
     if to < from {
         signed(high(from.wrapping_sub(to), part)).wrapping_neg()
     } else {
@@ -334,8 +339,8 @@ macro_rules! numbers {
             }
 
             #[inline(always)]
-            fn even(End { above, base }: End, to: End, steps: u32) -> Even {
-                Even { at: above.wrapping_add(u64::from(base) << 32), by: gain(above, to.above, steps) }
+            fn even(End { above, base }: End, to: End, part: u32) -> Even {
+                Even { at: above.wrapping_add(u64::from(base) << 32), by: gain(above, to.above, part) }
             }
 
             #[inline(always)]
@@ -396,9 +401,9 @@ impl Numbers for Fast<(I16F16, I16F16)> {
     }
 
     #[inline(always)]
-    fn even([u, v]: [End; 2], [u_end, v_end]: [End; 2], steps: u32) -> Pair {
+    fn even([u, v]: [End; 2], [u_end, v_end]: [End; 2], part: u32) -> Pair {
         let at = |end: End| signed(end.base.wrapping_add(whole(end.above)));
-        let by = |from: End, to: End| whole_gain(whole(from.above), whole(to.above), steps);
+        let by = |from: End, to: End| whole_gain(whole(from.above), whole(to.above), part);
         Pair::new([at(u), at(v)], [by(u, u_end), by(v, v_end)])
     }
 
@@ -449,9 +454,9 @@ impl<V: Numbers, const N: usize> Numbers for [V; N] {
     }
 
     #[inline(always)]
-    fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even {
+    fn even(from: Self::End, to: Self::End, part: u32) -> Self::Even {
         let mut to = to.into_iter();
-        from.map(|from| V::even(from, to.next().unwrap_or(from), steps))
+        from.map(|from| V::even(from, to.next().unwrap_or(from), part))
     }
 
     #[inline(always)]
@@ -499,8 +504,8 @@ macro_rules! tuple {
             }
 
             #[inline(always)]
-            fn even(from: Self::End, to: Self::End, steps: u32) -> Self::Even {
-                ($($name::even(from.$place, to.$place, steps),)*)
+            fn even(from: Self::End, to: Self::End, part: u32) -> Self::Even {
+                ($($name::even(from.$place, to.$place, part),)*)
             }
 
             #[inline(always)]
@@ -630,7 +635,7 @@ impl<V: Numbers, const N: u32> Runs<V, N> {
     ) -> EvenRun<V::Even, V::End> {
         let steps = slopes.reach.min(pixels.wrapping_sub(1));
         let next = Self::end(slopes, (right.wrapping_add(steps), down));
-        EvenRun { w, values: V::even(end, next.1, steps), next }
+        EvenRun { w, values: V::even(end, next.1, part_of(steps)), next }
     }
 }
 

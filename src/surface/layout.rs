@@ -93,6 +93,21 @@ pub trait Layout: 'static {
     /// Reads a pixel.
     fn get(memory: &[u8], grid: Grid, at: Place) -> Self::Color;
 
+    /// Whether [`get_whole`](Self::get_whole) may be asked for pixels.
+    #[doc(hidden)]
+    #[inline]
+    fn is_whole(grid: Grid) -> bool {
+        let _ = grid;
+        true
+    }
+
+    /// [`get`](Self::get) where rows are whole pixels apart: where that is faster, it takes another way.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn get_whole(memory: &[u8], grid: Grid, at: Place) -> Self::Color {
+        Self::get(memory, grid, at)
+    }
+
     /// Writes a pixel.
     fn set(memory: &mut [u8], grid: Grid, at: Place, color: Self::Color);
 

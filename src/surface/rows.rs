@@ -91,6 +91,16 @@ impl<F: PixelFormat> Layout for Rows<F> {
         F::unpack(rows::get::<F>(memory, start(grid, y), x))
     }
 
+    #[inline]
+    fn is_whole(grid: Grid) -> bool {
+        F::BITS < 8 || grid.stride.is_multiple_of((F::BITS / 8) as usize)
+    }
+
+    #[inline(always)]
+    fn get_whole(memory: &[u8], grid: Grid, (x, y): Place) -> F::Color {
+        F::unpack(rows::get_whole::<F>(memory, grid.stride, (x, y)))
+    }
+
     #[inline(always)]
     fn set(memory: &mut [u8], grid: Grid, (x, y): Place, color: F::Color) {
         rows::set::<F>(memory, start(grid, y), x, F::pack(color));

@@ -115,6 +115,9 @@ impl<'a, L: Layout, U: AddressMode, V: AddressMode> Texture<'a, L, U, V> {
         let window = picture.window();
         let (width, height) = (NonZeroU32::new(window.width())?, NonZeroU32::new(window.height())?);
         let (x, y) = picture.place(window.x0, window.y0);
+        if V::WHOLE && !L::is_whole(picture.read().1) {
+            return None;
+        }
         Some(Self { picture, u: U::axis(x, width)?, v: V::axis(y, height)? })
     }
 
@@ -122,7 +125,12 @@ impl<'a, L: Layout, U: AddressMode, V: AddressMode> Texture<'a, L, U, V> {
     #[inline(always)]
     fn texel(&self, i: i32, j: i32) -> L::Color {
         let (memory, grid) = self.picture.read();
-        L::get(memory, grid, (U::place(&self.u, i), V::place(&self.v, j)))
+        let place = (U::place(&self.u, i), V::place(&self.v, j));
+        if V::WHOLE {
+            L::get_whole(memory, grid, place)
+        } else {
+            L::get(memory, grid, place)
+        }
     }
 
     /// The texel that contains a place.
@@ -233,6 +241,10 @@ pub trait AddressMode: Copy {
     /// What is known of the columns or the rows of a picture.
     type Axis: Copy + fmt::Debug;
 
+    /// Whether rows have to be whole pixels apart.
+    #[doc(hidden)]
+    const WHOLE: bool = false;
+
     /// Of so many, from a place in memory on.
     #[doc(hidden)]
     fn axis(start: usize, size: NonZeroU32) -> Option<Self::Axis>;
@@ -254,7 +266,8 @@ pub struct Repeat;
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mirror;
 
-/// [`Repeat`], fastest: for a picture whose size is a power of two, and which begins in the first column and row in memory.
+/// [`Repeat`], fastest: for a picture whose size is a power of two, and which begins in the first column and row in memory. Its rows
+/// have to be whole pixels apart, as they are unless a stride says otherwise.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tile;
 
@@ -281,6 +294,7 @@ impl AddressMode for Clamp {
 
 impl AddressMode for Tile {
     type Axis = u32;
+    const WHOLE: bool = true;
 
     #[inline]
     fn axis(start: usize, size: NonZeroU32) -> Option<u32> {

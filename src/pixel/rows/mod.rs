@@ -70,6 +70,16 @@ pub(crate) fn get<F: PixelFormat>(memory: &[u8], row: usize, x: usize) -> u32 {
     }
 }
 
+/// Reads one pixel of row y, where rows are whole pixels apart; 0 beyond the memory.
+#[inline(always)]
+pub(crate) fn get_whole<F: PixelFormat>(memory: &[u8], stride: usize, (x, y): (usize, usize)) -> u32 {
+    match F::BITS {
+        16 => u32::from(u16::from_le_bytes(word::nth(memory, stride, (x, y)))),
+        32 => u32::from_le_bytes(word::nth(memory, stride, (x, y))),
+        _ => get::<F>(memory, y.wrapping_mul(stride), x),
+    }
+}
+
 /// Copies `n` pixels, at least one, between memories: each place is the first byte of a row and a pixel of it.
 #[inline(always)]
 pub(crate) fn copy<F: PixelFormat>(

@@ -50,6 +50,17 @@ pub(in crate::pixel::rows) fn get<F: PixelFormat>(memory: &[u8], at: usize) -> u
     }
 }
 
+/// Pixel x of row y, where rows are whole pixels apart. It is found by its number: that is one comparison less than by its bytes, and
+/// one product and sum where a chip has those in one.
+#[inline(always)]
+pub(in crate::pixel::rows) fn nth<const N: usize>(memory: &[u8], stride: usize, (x, y): (usize, usize)) -> [u8; N]
+where
+    [u8; N]: Pod,
+{
+    let (_, pixels, _) = pod_align_to::<u8, [u8; N]>(memory);
+    pixels.get(y.wrapping_mul(stride / N).wrapping_add(x)).copied().unwrap_or([0; N])
+}
+
 /// The low three bytes, the least significant one first.
 #[inline(always)]
 pub(in crate::pixel::rows) const fn three(bits: u32) -> [u8; 3] {
