@@ -27,6 +27,8 @@
 //!
 //! **Rows with two sides**, which are most rows of triangles, lines and other simple shapes, take no cells: `pair.rs`.
 //!
+//! **Lines one pixel wide** take neither sides nor cells: `line.rs`.
+//!
 //! **Memory.** Scratch memory for the sides, 44 bytes each, and for the cells: 4 bytes a pixel of the width, and 4 for each 32
 //! pixels ([`cells`] counts them). With less, a row is drawn in strips, with the same result, and with a look at each side for
 //! each strip. Cells for up to 32 pixels lie on the stack, so a program may pass none.
