@@ -111,6 +111,55 @@ fn paths_at_the_ends_of_the_type() {
     paths(Scale::Ends, 60, 1 << 24);
 }
 
+/// As many slots as the fullest row takes, or any number between that and all: the same pixels. With one less there is an error, and
+/// nothing is drawn.
+#[test]
+fn tables_of_every_length() {
+    let mut rng = Rng::new(533);
+    let mut banded = 0;
+    for i in 0..cases(2_000) {
+        let path = random_path(&mut rng, Scale::ALL[i % 3], 2);
+        let (segments, pen) = (segments(&path), random_pen(&mut rng, 6_000));
+        let window = window_on(&mut rng, &[places(&path), vec![(0, 0)]].concat());
+        let lengths = [(); 2].map(|()| I24F8::from_bits(rng.int(200, 4_000)));
+        let (solid, path) = (stroke(pen), Path::new(&segments));
+        let dashed = solid.dashed(&lengths, I24F8::from_bits(rng.int(-4_000, 4_000)));
+        banded += if i % 2 == 0 {
+            every_length(&mut rng, path, &solid, window)
+        } else {
+            every_length(&mut rng, path, &dashed, window)
+        };
+    }
+    assert!(banded > cases(2_000) / 2, "{banded} tables were too short for all at once");
+}
+
+/// How many tables were shorter than all sides.
+fn every_length<D: Dashing>(rng: &mut Rng, path: Path<'_>, stroke: &Stroke<D>, window: Rect) -> usize {
+    let slots = thick::edge_slots(path, stroke, window);
+    let drawn = |len: usize| {
+        let (mut table, mut result) = (vec![EdgeSlot::EMPTY; len], Ok(()));
+        let runs = collect(window, |emit| result = thick::fill(path, stroke, &mut table, window, emit));
+        (runs, result)
+    };
+    let (wanted, result) = drawn(slots.whole);
+    assert_eq!(result, Ok(()), "{slots:?}");
+    for _ in 0..4 {
+        let len = slots.least + rng.index(slots.whole - slots.least + 1);
+        let (got, result) = drawn(len);
+        assert_eq!(result, Ok(()), "{len} of {slots:?}");
+        assert_runs(window, &got, &wanted, || format!("{len} of {slots:?}: {:?}", path.segments()));
+    }
+    if let Some(fewer) = slots.least.checked_sub(1) {
+        let (got, result) = drawn(fewer);
+        assert!(got.is_empty() && result.is_err_and(|error| error.enough == slots.least), "{slots:?}: {got:?}");
+    }
+    if slots.least < slots.whole {
+        4
+    } else {
+        0
+    }
+}
+
 #[test]
 fn polylines() {
     let mut rng = Rng::new(510);
