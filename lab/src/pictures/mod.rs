@@ -52,6 +52,7 @@ impl Job {
     }
 
     /// The map of floats that peers are given: `[xx, yx, xy, yy, dx, dy]`.
+    #[cfg(feature = "peers-pictures")]
     fn floats(&self) -> [f32; 6] {
         match self {
             Self::Stretched(to) => {
