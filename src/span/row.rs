@@ -164,10 +164,10 @@ impl ClippedSpan {
 ///         self.0.push((row.span().y(), row.left().to_vec(), row.right().to_vec()));
 ///     }
 /// }
-/// let corners = [(0, 0), (0, 8), (9, 8)].map(|(x, y)| PointFx::px(x, y));
+/// let corners = [(1, 0), (1, 8), (10, 8)].map(|(x, y)| PointFx::px(x, y));
 /// let mut told = Told(vec![]);
-/// coverage::triangle(corners, &mut [], Rect::new(0, 0, 9, 8), &mut told);
-/// assert_eq!(told.0[0], (3, vec![], vec![223, 16])); // of three pixels and a half, three are full
+/// coverage::triangle(corners, &mut [], Rect::new(0, 0, 11, 8), &mut told);
+/// assert_eq!(told.0[0], (1, vec![], vec![168, 7])); // behind one that is full
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct SoftRow<'a> {
