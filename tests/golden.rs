@@ -32,8 +32,8 @@ use embedded_raster::{
         polygon::drop_out::DropOut,
     },
     surface::{paged_bytes, Bitmap, Grid, Paged, Pages, Rows},
-    Affine, Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Frame, Framebuffer, Index1, Index2, Index4, Index8, Join,
-    Layout, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
+    Affine, Align, Angle, Canvas, Cap, EdgeSlot, Ellipse, FillRule, Frame, Framebuffer, Index1, Index2, Index4, Index8,
+    Join, Layout, Palette, Path, PathSegment, PixelFormat, PointFx, Radii, Rect, Sector, Stroke, Surface,
 };
 use embedded_raster_simulator::Picture;
 use fixed::types::{I16F16, I24F8};
@@ -309,6 +309,61 @@ fn rounds<C: Ink>(surface: &mut impl Surface<Color = C>) {
     surface.fill_square_point_fx(PointFx::from_bits(92 * 256, 3 * 256), I24F8::from_bits(900), C::ega(GREY));
 }
 
+/// Dials as people draw them: gauges with round ends and a hand, segments, arcs with caps and with dashes, rings and boxes with
+/// borders of a width on each side of the edge, and lines and polygons with round corners.
+fn dials<C: Ink>(surface: &mut impl Surface<Color = C>) {
+    let mut table = [EdgeSlot::EMPTY; 200];
+    let sector = |from, to| Sector::new(Angle::degrees(from), Angle::degrees(to));
+    surface.fill_window(C::ega(GROUND));
+    let (outer, inner) = (Rect::new(1, 1, 33, 33), Rect::new(6, 6, 28, 28));
+    surface.fill_gauge(outer, inner, sector(135, 45), C::ega(GREY));
+    surface.fill_gauge(outer, inner, sector(135, 320), C::ega(GREEN));
+    surface.fill_chord(Rect::new(9, 9, 25, 25), sector(20, 160), C::ega(YELLOW));
+    surface.fill_chord(Rect::new(9, 9, 25, 25), sector(200, 340), C::ega(RED));
+    let hand = Stroke::px(3).with_cap(Cap::Round);
+    let ends = [PointFx::px(17, 17), PointFx::from_bits(17 * 256 + 2_100, 17 * 256 - 1_700)];
+    surface.stroke_line_fx(ends, &hand, &mut table, C::ega(RED)).expect("enough slots");
+    for (i, (cap, color)) in (0..).zip([(Cap::Butt, GREEN), (Cap::Square, YELLOW), (Cap::Round, RED)]) {
+        let (centre, radius) = (PointFx::px(47, 17), px(14 - 5 * i));
+        let stroke = Stroke::px(3).with_cap(cap);
+        surface
+            .stroke_arc_fx(centre, [radius; 2], sector(190, 80), &stroke, &mut table, C::ega(color))
+            .expect("enough slots");
+    }
+    let (centre, lengths) = (PointFx::px(79, 17), [4, 3].map(px));
+    let dashed = Stroke::px(3).dashed(&lengths, px(0));
+    surface
+        .stroke_arc_fx(
+            centre,
+            [px(14); 2],
+            Sector::sweep(Angle::degrees(0), I16F16::from_num(360)),
+            &dashed,
+            &mut table,
+            C::ega(YELLOW),
+        )
+        .expect("enough slots");
+    let dashed = Stroke::px(2).with_cap(Cap::Round).dashed(&lengths, px(1));
+    let radii = [px(10), px(5)];
+    surface.stroke_arc_fx(centre, radii, sector(30, 300), &dashed, &mut table, C::ega(GREEN)).expect("enough slots");
+    surface.stroke_round_arc(Rect::new(77, 15, 82, 20), sector(45, 315), 2, Align::Inside, C::ega(RED));
+    let aligns = [(Align::Inside, GREEN), (Align::Centred, YELLOW), (Align::Outside, RED)];
+    for (i, (align, color)) in (0..).zip(aligns) {
+        let area = Rect::new(3 + 16 * i, 38, 14 + 16 * i, 47);
+        surface.stroke_rounded(area, Radii { top_right: 1, ..Radii::all(4) }, 3, align, C::ega(color));
+        surface.stroke_ellipse(Rect { y0: 52, y1: 61, ..area }, 3, align, C::ega(color));
+        surface.draw_rounded(area, Radii { top_right: 1, ..Radii::all(4) }, C::ega(GREY));
+        surface.draw_ellipse(Rect { y0: 52, y1: 61, ..area }, C::ega(GREY));
+    }
+    let bell = [(53, 61), (53, 38), (66, 58), (72, 36)].map(|(x, y)| PointFx::px(x, y));
+    surface
+        .stroke_round_polyline_fx(&bell, false, px(5), &Stroke::px(3), &mut table, C::ega(GREEN))
+        .expect("enough slots");
+    let arrow = [(77, 62), (84, 50), (76, 37), (94, 50)].map(|(x, y)| PointFx::px(x, y));
+    surface.fill_round_polygon_fx(&arrow, px(3), FillRule::NonZero, &mut table, C::ega(YELLOW)).expect("enough slots");
+    surface.fill_outlined_rounded(Rect::new(82, 46, 90, 54), 3.into(), C::ega(RED));
+    surface.draw_rounded(Rect::new(82, 46, 90, 54), 3.into(), C::ega(GROUND));
+}
+
 /// Regions flooded by colour and up to a boundary, through corners and with tables that are too short.
 fn floods<C: Ink>(frame: &mut Framebuffer<'_, C>) {
     frame.clear(C::ega(GROUND));
@@ -425,6 +480,8 @@ fn check<C: Ink>(depth: &str) {
     compare("blits", &frame);
     rounds(&mut frame);
     compare("rounds", &frame);
+    dials(&mut frame);
+    compare("dials", &frame);
     floods(&mut frame);
     compare("floods", &frame);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -484,8 +541,9 @@ fn pages() {
     }
     let mut ram = vec![0; paged_bytes(WIDTH, HEIGHT)];
     let mut pages = Pages::new(&mut ram, WIDTH, HEIGHT).expect("it has the bytes that it needs");
-    let scenes: [(&str, Scene); 8] = [
+    let scenes: [(&str, Scene); 9] = [
         ("rounds-1", |pages| rounds(pages)),
+        ("dials-1", |pages| dials(pages)),
         ("lines-1", |pages| lines(pages)),
         ("triangles-1", |pages| triangles(pages)),
         ("polygons-1", |pages| polygons(pages)),
@@ -511,6 +569,7 @@ macro_rules! drawn_only {
             ("svg", |on| svg(on)),
             ("rectangles", |on| rectangles(on)),
             ("rounds", |on| rounds(on)),
+            ("dials", |on| dials(on)),
             ("text", |on| text(on)),
         ]
     };
@@ -524,7 +583,7 @@ fn open<L: Layout>(memory: &mut [u8]) -> Frame<&mut [u8], L> {
 }
 
 /// Every scene in one part to eight, each part in a thread: the bytes of the whole.
-fn in_parts<L: Layout + Send>(scenes: [(&str, On<L>); 8]) {
+fn in_parts<L: Layout + Send>(scenes: [(&str, On<L>); 9]) {
     let bytes = L::bytes(WIDTH, Grid { stride: L::row_bytes(WIDTH), rows: HEIGHT.into() });
     for (name, draw) in scenes {
         let mut whole = vec![0xA5; bytes];
