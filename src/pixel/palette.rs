@@ -100,7 +100,7 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
         let first = self.colors.first().copied();
         let color = |index: u8| self.colors.get(usize::from(index)).copied().or(first).map_or(0, O::pack);
         match O::BITS {
-            8 => expand::<I, 1>(indices, out, |index| [low_u8(color(index))]),
+            8 => expand::<I, u8, 1>(indices, out, |index| [low_u8(color(index))]),
             16 if I::BITS == 4 && BY_WORDS => {
                 let mut index = 0;
                 let table = [(); 16].map(|()| {
@@ -110,12 +110,20 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
                 });
                 expand_words::<I>(indices, out, &table);
             }
-            16 => expand::<I, 2>(indices, out, |index| low_u16(color(index)).to_le_bytes()),
-            24 => expand::<I, 3>(indices, out, |index| {
+            16 => {
+                let even = out.len() & !1;
+                match out.get_mut(..even).map(bytemuck::try_cast_slice_mut) {
+                    Some(Ok(out)) if BY_HALVES => {
+                        expand::<I, u16, 1>(indices, out, |index| [low_u16(color(index)).to_le()]);
+                    }
+                    _ => expand::<I, u8, 2>(indices, out, |index| low_u16(color(index)).to_le_bytes()),
+                }
+            }
+            24 => expand::<I, u8, 3>(indices, out, |index| {
                 let [a, b, c, _] = color(index).to_le_bytes();
                 [a, b, c]
             }),
-            32 => expand::<I, 4>(indices, out, |index| color(index).to_le_bytes()),
+            32 => expand::<I, u8, 4>(indices, out, |index| color(index).to_le_bytes()),
             _ => {
                 let pixels = |bytes: usize, bits: u32| bytes.saturating_mul((8 / bits) as usize);
                 let pixels = pixels(indices.len(), I::BITS).min(pixels(out.len(), O::BITS));
@@ -131,9 +139,12 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
 /// Whether sixteen pixels are written at a time.
 const ROUNDS: bool = !COMPACT;
 
-/// Pixels of `N` bytes each, out of 1, 2, 4 or 8-bit indices.
+/// Whether pixels of 16 bits are stored as such where they are aligned: cores that store bytes else.
+const BY_HALVES: bool = !UNALIGNED && !COMPACT;
+
+/// Pixels of `N` units each, bytes or more, out of 1, 2, 4 or 8-bit indices.
 #[inline(always)]
-fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
+fn expand<I: PixelFormat, T: Copy, const N: usize>(indices: &[u8], out: &mut [T], pixel: impl Fn(u8) -> [T; N]) {
     let per_byte = (8 / I::BITS) as usize;
     // Sixteen pixels to a round. What is left over is shorter, and may end within a byte.
     let (bytes_per_round, size) = (2 * I::BITS as usize, N * per_byte);
@@ -146,7 +157,7 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             for i in 0..bytes_per_round {
                 let at = i.wrapping_mul(size);
                 if let (Some(places), Some(&byte)) = (round.get_mut(at..at.wrapping_add(size)), bytes.get(i)) {
-                    put::<I, N>(places, byte, &pixel);
+                    put::<I, T, N>(places, byte, &pixel);
                 }
                 // Without this the compiler loads all indices first, and there are not enough registers for them.
                 if i.wrapping_add(1).wrapping_mul(per_byte).is_multiple_of(4) {
@@ -155,24 +166,24 @@ fn expand<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel:
             }
         }
     }
-    expand_rest::<I, N>(indices, out, pixel);
+    expand_rest::<I, T, N>(indices, out, pixel);
 }
 
 /// The same byte by byte.
 #[inline(always)]
-fn expand_rest<I: PixelFormat, const N: usize>(indices: &[u8], out: &mut [u8], pixel: impl Fn(u8) -> [u8; N]) {
+fn expand_rest<I: PixelFormat, T: Copy, const N: usize>(indices: &[u8], out: &mut [T], pixel: impl Fn(u8) -> [T; N]) {
     for (places, &byte) in out.chunks_mut(N * (8 / I::BITS) as usize).zip(indices) {
-        put::<I, N>(places, byte, &pixel);
+        put::<I, T, N>(places, byte, &pixel);
     }
 }
 
 /// The pixels of a byte of indices, as many as there are places for.
 #[inline(always)]
-fn put<I: PixelFormat, const N: usize>(places: &mut [u8], byte: u8, pixel: &impl Fn(u8) -> [u8; N]) {
+fn put<I: PixelFormat, T: Copy, const N: usize>(places: &mut [T], byte: u8, pixel: &impl Fn(u8) -> [T; N]) {
     // Plain indices: the counters of `enumerate` have overflow checks, and the set-up of `zip` divides.
     for i in 0..(8 / I::BITS) as usize {
         let at = i.wrapping_mul(N);
-        if let Some(place) = places.get_mut(at..at.wrapping_add(N)).and_then(<[u8]>::first_chunk_mut) {
+        if let Some(place) = places.get_mut(at..at.wrapping_add(N)).and_then(<[T]>::first_chunk_mut) {
             *place = pixel(low_u8(rows::packed::nth::<I>(byte, i)));
         }
     }
@@ -229,7 +240,7 @@ fn expand_words<I: PixelFormat>(indices: &[u8], out: &mut [u8], table: &[u16; 16
             keep_order();
         }
     }
-    expand_rest::<I, 2>(indices, out, |index| color(index).to_le_bytes());
+    expand_rest::<I, u8, 2>(indices, out, |index| color(index).to_le_bytes());
 }
 
 impl<C: RgbColor, const N: usize> Palette<C, N> {
