@@ -62,9 +62,9 @@ fn bound(name: &str, (w, h): (usize, usize), a: &Arguments<'_, Rows<Index4>>, an
         (_, "blit" | "blit_keyed" | "copy_picture") => (all.min(pixels(a.picture.window())), 0),
         (_, "blit_mask") => (all.min(pixels(a.mask.window())), 0),
         (_, "copy_mask") => (all.min(pixels(a.mask_msb0.window())), 0),
-        (_, "move_area" | "move_area_keyed" | "copy_area" | "blit_with") => (all, all),
+        (_, "move_area" | "move_area_keyed" | "copy_area" | "blit_with" | "mix_row") => (all, all),
         (_, "fill_span" | "write_span" | "write_some") => (w, 0),
-        (_, "edit_span") => (w, w),
+        (_, "edit_span" | "mix_span") => (w, w),
         (_, "read_span" | "find" | "find_start") => (0, w),
         (_, "color_at" | "get") => (0, 1),
         // What is connected is painted once. With too few slots, how often it is read is counted in `raster::flood`.

@@ -167,7 +167,8 @@ mod tests {
             let module = firmware::project().join("src/raster").join(name);
             assert!(module.with_extension("rs").is_file() || module.join("mod.rs").is_file(), "{mangled}");
         }
-        for path in ["pipeline/clip", "geom/space/mod", "geom/facet", "geom/varying", "paint/shade", "paint/depth"] {
+        for path in ["pipeline/clip", "geom/space/mod", "geom/facet", "geom/varying/mod", "paint/shade", "paint/depth"]
+        {
             assert!(firmware::project().join("src").join(path).with_extension("rs").is_file(), "{path}");
             let parts: Vec<&str> = path.split('/').filter(|part| *part != "mod").collect();
             let mangled = parts.iter().map(|part| format!("{}{part}", part.len())).collect::<Vec<_>>().concat();
