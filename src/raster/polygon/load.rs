@@ -33,15 +33,17 @@ pub(crate) struct Loader<'a, const EXACT: bool = false> {
     /// The centres of the last column: what lies right of them has no crossing at or left of a centre.
     right: i32,
     done: Done,
-    crowd: Crowd,
+    /// One where bands are made lower.
+    crowd: [Crowd; SHRINKS as usize],
 }
 
 /// What has come.
 #[derive(Copy, Clone)]
 struct Done {
-    /// How many sides are in the table; `usize::MAX` since one of them found no room, where bands are made lower then.
+    /// How many sides are in the table; `usize::MAX` since one of them found no room, where bands are made lower then, and else
+    /// with those that found none.
     filled: usize,
-    /// How many found no room.
+    /// How many found no room, where bands are made lower then.
     others: usize,
     /// The first row of all sides, and the row after their last one.
     first: i32,
@@ -83,13 +85,16 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
         let right = band.x1.wrapping_mul(256).wrapping_sub(128);
         let crowd = Crowd { before: 0, filled: 0, bottom, shift: 0, failed: false };
         let done = Done { filled: 0, others: 0, first: bottom, end: top };
-        Self { table, rows: (top, bottom), right, done, crowd }
+        Self { table, rows: (top, bottom), right, done, crowd: [crowd; SHRINKS as usize] }
     }
 
     /// How many sides came, whether there was room for them or not.
     pub(super) fn counted(&self) -> Loaded {
         let Done { filled, others, first, end } = self.done;
-        let filled = if filled == usize::MAX { self.crowd.before } else { filled };
+        let filled = match self.crowd.first() {
+            Some(crowd) if filled == usize::MAX => crowd.before,
+            _ => filled,
+        };
         Loaded { count: filled.wrapping_add(others), first, end }
     }
 
@@ -148,13 +153,13 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
             } else {
                 slot.put(a, b, (y, end), ay < by);
             }
-        } else {
+        } else if SHRINKS && !EXACT {
             done.others = done.others.wrapping_add(1);
-            if SHRINKS && !EXACT {
-                self.done = *done;
-                self.squeeze(a, b, (y, end), ay < by);
-                done.filled = usize::MAX;
-            }
+            self.done = *done;
+            self.squeeze(a, b, (y, end), ay < by);
+            done.filled = usize::MAX;
+        } else {
+            done.filled = done.filled.wrapping_add(1);
         }
     }
 
@@ -162,7 +167,8 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
     #[cold]
     #[inline(never)]
     fn squeeze(&mut self, a: PointFx, b: PointFx, (y, end): (i32, i32), down: bool) {
-        let (table, crowd) = (&mut *self.table, &mut self.crowd);
+        let Some(crowd) = self.crowd.first_mut() else { return };
+        let table = &mut *self.table;
         if table.is_empty() {
             crowd.failed = true;
             return;
@@ -189,10 +195,10 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
 
     /// What is in the table now that all sides have come.
     pub(super) fn found(self) -> Found {
-        let (Done { filled, first, end, .. }, crowd) = (self.done, self.crowd);
-        if filled != usize::MAX {
+        let Done { filled, first, end, .. } = self.done;
+        let Some(crowd) = self.crowd.first().filter(|_| filled == usize::MAX) else {
             return Found { loaded: self.counted(), bottom: self.rows.1, end, fits: true };
-        }
+        };
         let fits = !crowd.failed && most_at_once(self.table) <= self.table.len();
         for slot in &*self.table {
             slot.bucket.set(END);
