@@ -111,7 +111,7 @@ impl Line {
         // cosine alike: so the direction is exact.
         let (root, shift) = inverse_root_wide(square);
         let to_44 = 19_u32.wrapping_sub(shift >> 1) & 63;
-        let part = |n: u64| n.wrapping_mul(root.into()).wrapping_add(1 << (to_44 - 1)) >> to_44;
+        let part = |n: u64| n.wrapping_mul(root.into()).wrapping_add((1 << to_44) >> 1) >> to_44;
         let (cos, sin) = (part(x), part(y));
         let [large, small] = [cos.max(sin), cos.min(sin)].map(|n| low_u32(n.wrapping_add(1 << 27) >> 28));
         let (cos, sin) = (signed_wide(cos), signed_wide(sin));
