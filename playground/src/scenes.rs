@@ -1,4 +1,4 @@
-//! The scenes: those of the examples and firmwares, drawn on a [`Screen`](crate::screen::Screen).
+//! The scenes: those of the examples and firmwares, drawn on a `Screen`.
 
 use core::ops::Range;
 

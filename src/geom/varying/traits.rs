@@ -21,7 +21,7 @@ pub trait Varying: Copy {
     type Row: Copy + Debug;
     /// Its value at one pixel, with what it gains from each to the next.
     type Run: Copy + Debug;
-    /// How it changes over a small triangle; [`NoSmall`] if that has no form of its own.
+    /// How it changes over a small triangle; `NoSmall` if that has no form of its own.
     type Small: Small<Self::Run>;
 
     /// How it changes over a triangle where it has these values at the corners.
