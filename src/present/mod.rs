@@ -42,14 +42,17 @@ mod bands;
 mod buffers;
 mod history;
 mod jobs;
+// Where cores load and store a pointer at once, as heapless has it: cores without any atomic access, such as RV32IMC, have no queues.
+#[cfg(any(target_has_atomic = "ptr", all(target_arch = "arm", target_os = "none")))]
 mod queues;
 mod vsync;
 
+#[cfg(any(target_has_atomic = "ptr", all(target_arch = "arm", target_os = "none")))]
+pub use self::queues::{Display, Drawer, Queues};
 pub use self::{
     bands::{for_each_band, for_each_band_async, Bands},
     buffers::{Buffer, Swapchain},
     history::History,
     jobs::{Grain, Jobs},
-    queues::{Display, Drawer, Queues},
     vsync::{Pulse, Vsync},
 };
