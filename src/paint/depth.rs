@@ -261,7 +261,7 @@ fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     let depths = corner_values.each_ref().map(|corner| corner.0);
     let mut spans = TinySpans::new();
     let Some(mut rest) = Rest::new(&mut spans, depth, window, (corners, facet), depths) else { return false };
-    if rest.is_hidden(passes) {
+    if rest.skip_hidden_rows(passes) {
         return true;
     }
     let Some(mut values) = V::small(facet, corner_values.each_ref().map(|corner| corner.1)) else { return false };

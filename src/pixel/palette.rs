@@ -139,7 +139,7 @@ impl<C: PixelColor, const N: usize> Palette<C, N> {
 /// Whether sixteen pixels are written at a time.
 const ROUNDS: bool = !COMPACT;
 
-/// Whether pixels of 16 bits are stored as such where they are aligned: cores that store bytes else.
+/// Whether pixels of 16 bits are stored by halves of words where they are aligned. These cores would store their bytes one by one.
 const BY_HALVES: bool = !UNALIGNED && !COMPACT;
 
 /// Pixels of `N` units each, bytes or more, out of 1, 2, 4 or 8-bit indices.

@@ -3,9 +3,9 @@
 //! In a mesh, most triangles are hidden as a whole, and of the others most rows are seen from end to end. So a triangle is gone through
 //! up to three times, each time in a loop that has the registers to itself.
 //! ```text
-//!     is_hidden    up to the first row in which a pixel passes, compares depths and nothing else
-//!     keep         from there on, compares depths and keeps them; of the span of each row, what passes is left
-//!     paint_rows   gives those pixels their colours, as if there were no depths
+//!     skip_hidden_rows   up to the first row in which a pixel passes, compares depths and nothing else
+//!     keep               from there on, compares depths and keeps them; of the span of each row, what passes is left
+//!     paint_rows         gives those pixels their colours, as if there were no depths
 //! ```
 
 use core::slice::IterMut;
@@ -25,7 +25,7 @@ const SMALL: bool = !COMPACT;
 
 /// What is left of a small triangle.
 pub(super) struct Rest<'a, Z: Depth> {
-    /// Of each row that is left.
+    /// The spans of the rows that are left.
     spans: &'a mut [TinySpan],
     /// The first column of the triangle's box, and the next row.
     x: i32,
@@ -65,10 +65,10 @@ impl<'a, Z: Depth> Rest<'a, Z> {
         self.y
     }
 
-    /// Goes on to the first row in which a pixel passes; `true` if there is none.
+    /// Goes on to the first row in which a pixel passes. Whether there is none.
     // Not inlined: the loop has the registers to itself.
     #[inline(never)]
-    pub(super) fn is_hidden(&mut self, passes: &impl Fn(&Z::Number, &Z::Number) -> bool) -> bool {
+    pub(super) fn skip_hidden_rows(&mut self, passes: &impl Fn(&Z::Number, &Z::Number) -> bool) -> bool {
         let Self { ref spans, mut depths, ref cells, mut place, pitch, .. } = *self;
         let mut rows = spans.iter();
         while let Some(&[right, pixels]) = rows.next() {

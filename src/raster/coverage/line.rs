@@ -36,7 +36,7 @@ use crate::{
     tune::{keep_rolled, COMPACT},
 };
 
-/// So many levels at most are told at a time.
+/// The most levels that are told in one call.
 const CHUNK: usize = 32;
 
 /// Tells what a line one pixel wide covers, from one place to another; nothing if they are the same.
@@ -92,7 +92,7 @@ fn short(distance: i64) -> i32 {
     narrow(distance >> 32)
 }
 
-/// So many bits of that are a pixel.
+/// A pixel is `2^SHORT_BITS` of these.
 const SHORT_BITS: u32 = 20;
 
 impl Line {

@@ -69,7 +69,7 @@ fn apart(
     // The last column of a side that ends on a border is the one before it, but for a vertical one: then there is one beside it, which
     // is covered as a whole, or not at all.
     let (first, next) = (unsigned(left.1) >> GRID_BITS, unsigned(right.0) >> GRID_BITS);
-    // Negative numbers are large ones.
+    // As unsigned numbers, places left of the window lie right of it: one comparison for both.
     if left.0 < 0 || first >= next || unsigned(right.1) >> GRID_BITS >= width {
         return false;
     }
@@ -105,7 +105,8 @@ impl Rim {
     /// The levels of the pixels that a side goes through, and the columns where they begin and end: those of the first one and of the
     /// last one are left out if they are what is before the side and behind it. `None` if there are too many.
     ///
-    /// No others are: with 32 pixels at most, each but the first one and the last one has a 64th of the pixel, or more, before it.
+    /// None in the middle can be left out so: a side goes through 32 pixels at most, so of each but the first one and the last one at
+    /// least a 64th lies on either side.
     #[inline(always)]
     fn levels<'l>(&self, from: u32, to: u32, levels: &'l mut [u8; CHUNK]) -> Option<(u32, u32, &'l [u8])> {
         let (column, enter) = (from >> GRID_BITS, from & (PIXEL - 1));

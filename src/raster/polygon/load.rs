@@ -33,17 +33,17 @@ pub(crate) struct Loader<'a, const EXACT: bool = false> {
     /// The centres of the last column: what lies right of them has no crossing at or left of a centre.
     right: i32,
     done: Done,
-    /// One where bands are made lower.
+    /// One if bands are made lower, none in builds where they are not.
     crowd: [Crowd; SHRINKS as usize],
 }
 
 /// What has come.
 #[derive(Copy, Clone)]
 struct Done {
-    /// How many sides are in the table; `usize::MAX` since one of them found no room, where bands are made lower then, and else
-    /// with those that found none.
+    /// How many sides are in the table. When one finds no room, this becomes `usize::MAX` where bands are made lower, and goes on
+    /// counting where they are not.
     filled: usize,
-    /// How many found no room, where bands are made lower then.
+    /// How many found no room, where bands are made lower; else 0.
     others: usize,
     /// The first row of all sides, and the row after their last one.
     first: i32,
@@ -57,7 +57,7 @@ struct Crowd {
     before: usize,
     /// How many are in it now.
     filled: usize,
-    /// Those that cross the rows above this one.
+    /// The table holds the sides that cross the rows above this one.
     bottom: i32,
     /// Buckets have `2^shift` rows.
     shift: u32,
@@ -121,7 +121,7 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
             let mut vertices = contour.by_ref().map(|v| (*v.borrow(), first_centre_from(bits(*v.borrow()).1)));
             let Some(first) = vertices.next() else { continue };
             let mut last = first;
-            // As `each_side` does it. A closure for it would be called, and what is done be in memory.
+            // The loop of `each_side`, written out: it would call a closure, and `done` would be in memory.
             loop {
                 let next = vertices.next();
                 let vertex = next.unwrap_or(first);
@@ -185,7 +185,7 @@ impl<'a, const EXACT: bool> Loader<'a, EXACT> {
         if y < crowd.bottom {
             if let Some(slot) = table.get_mut(crowd.filled) {
                 crowd.filled = crowd.filled.wrapping_add(1);
-                // The counts stay.
+                // `put` overwrites the bucket, which still counts ends of sides.
                 let bucket = slot.bucket.get();
                 slot.put(a, b, (y, end.min(crowd.bottom)), down);
                 slot.bucket.set(bucket);

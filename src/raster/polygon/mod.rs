@@ -168,7 +168,7 @@ fn check_rows(sides: &dyn Fn(Rect, &mut Loader<'_>), slots: usize, window: Rect)
         sides(band, &mut loader);
         loader.counted()
     };
-    // Of slots of no size: nothing but their number counts.
+    // Slots of no size, as nothing is put into them: only their number matters.
     let mut table = [(); END as usize];
     bands::in_bands(table.get_mut(..slots).unwrap_or_default(), window, &[false], count, |_, _| {})
 }

@@ -30,7 +30,7 @@ const TURNS: [(u32, (i32, i32)); 9] = [
     (u32::MAX, (1_073_736_771, 3_294_193)),
 ];
 
-/// Whether a place is looked at by itself before the box of two places is.
+/// Whether [`Sight::hides`] looks at one place alone before it looks at the box around two: most places are seen, and that tells it sooner.
 const LOOKS_FIRST: bool = !COMPACT;
 
 /// What all pieces of a stroke are made from.
@@ -71,7 +71,7 @@ impl Sight {
         !self.shows(a) && self.near.hides(a, b, 0)
     }
 
-    /// Whether a place is seen at first sight, as most are. Built for size, nothing is.
+    /// Whether a place is known to be seen. In builds for size it is never asked, and the answer is `false`.
     pub(super) fn shows(&self, v: PointFx) -> bool {
         LOOKS_FIRST && self.near.holds(v)
     }

@@ -81,10 +81,10 @@ pub(crate) type TinySpan = [u8; 2];
 pub(crate) struct TinySpans([u32; 28]);
 
 impl TinySpans {
-    /// With spans of no pixels.
+    /// All spans are empty.
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        // Of a zero that it knows, the compiler makes a call that takes 190 cycles on Cortex-M4.
+        // For a zero that the compiler knows it calls `memclr`, which takes 190 cycles on Cortex-M4.
         Self([hidden_zero(); 28])
     }
 
