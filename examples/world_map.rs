@@ -218,6 +218,7 @@ fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
 }
 
 struct Options {
+    /// 0 until told.
     bits: u32,
     screen: Screen,
     layer: Layer,
@@ -235,7 +236,7 @@ impl Options {
         let screen = Screen { projection: Projection::default(), width: 320, height: 240 };
         let output = "world_map.png".into();
         let mut options = Self {
-            bits: 4,
+            bits: 0,
             screen,
             layer: Layer::Countries,
             antialias: false,
@@ -260,9 +261,13 @@ impl Options {
                 _ => return Err(argument.unexpected()),
             }
         }
-        if options.antialias {
-            // Colours that can be mixed.
-            options.bits = options.bits.max(16);
+        match (options.antialias, options.bits) {
+            (antialias, 0) => options.bits = if antialias { 16 } else { 4 },
+            (true, bits @ ..16) => {
+                let error = format!("--antialias mixes colours, so it takes --bits 16, 24 or 32, not {bits}");
+                return Err(lexopt::Error::Custom(error.into()));
+            }
+            _ => {}
         }
         Ok(Some(options))
     }
@@ -303,6 +308,7 @@ mod tests {
             ("--band 0", r#"cannot parse argument "0": --band takes rows from 1 to 65535"#),
             ("--band 65536", r#"cannot parse argument "65536": --band takes rows from 1 to 65535"#),
             ("--bits 3", r#"cannot parse argument "3": --bits takes one of 1, 2, 4, 8, 16, 24, 32"#),
+            ("--bits 4 --antialias", "--antialias mixes colours, so it takes --bits 16, 24 or 32, not 4"),
             ("--projection mercator", r#"cannot parse argument "mercator": --projection takes equirectangular,"#),
             ("--input", "missing argument for option '--input'"),
             ("map.txt", r#"unexpected argument "map.txt""#),

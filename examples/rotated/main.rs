@@ -11,14 +11,13 @@ mod pictures;
 use std::{error::Error, process::ExitCode};
 
 use embedded_raster::{
-    buffer_bytes,
     pixel::EGA,
     surface::{Turn, Turned},
     Canvas, Framebuffer, Index4, Rect,
 };
 use embedded_raster_simulator::{
     desktop::{Desktop, Input, Key},
-    finish, Picture,
+    finish, in_bands, Picture,
 };
 use page::{HEIGHT, WIDTH};
 
@@ -127,20 +126,10 @@ impl Options {
     /// One screen or the sheet, band by band.
     fn picture(&self) -> Result<Picture, embedded_raster::Error> {
         let (width, height) = self.way.map_or(SHEET, Way::size);
-        let rows = self.band.min(height);
-        let mut whole = vec![0; buffer_bytes::<Index4>(width, height)];
-        let mut memory = vec![0; buffer_bytes::<Index4>(width, rows)];
-        for start in (0..height).step_by(rows.into()) {
-            let end = height.min(start.saturating_add(rows));
-            let mut band = Framebuffer::<Index4>::band(&mut memory, width, height, start..end)?;
-            match self.way {
-                Some(way) => way.draw(&mut band, self.value)?,
-                None => draw_sheet(&mut band, self.value)?,
-            }
-            let first = buffer_bytes::<Index4>(width, start);
-            let bytes = band.row_bytes(start..end);
-            whole[first..first + bytes.len()].copy_from_slice(bytes);
-        }
+        let mut whole = in_bands((width, height), self.band, |band| match self.way {
+            Some(way) => way.draw(band, self.value),
+            None => draw_sheet(band, self.value),
+        })?;
         Ok(Picture::indexed(&Framebuffer::<Index4>::new(&mut whole, width, height)?, &EGA))
     }
 }

@@ -8,13 +8,12 @@ mod scene;
 use std::{error::Error, fs, process::ExitCode};
 
 use embedded_raster::{
-    buffer_bytes,
     pixel::EGA,
     surface::{Turn, Turned},
     text::{Font, FONT_8X13},
     Framebuffer, Index4, Rect,
 };
-use embedded_raster_simulator::{finish, Picture};
+use embedded_raster_simulator::{finish, in_bands, Picture};
 use scene::{page, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
@@ -85,19 +84,11 @@ impl Options {
             Turn::Quarter | Turn::ThreeQuarters => (HEIGHT, WIDTH),
         };
         let screen = Rect::new(0, 0, width.into(), height.into());
-        let mut whole = vec![0; buffer_bytes::<Index4>(width, height)];
-        let rows = self.band.min(height);
-        let mut memory = vec![0; buffer_bytes::<Index4>(width, rows)];
-        for start in (0..height).step_by(rows.into()) {
-            let end = height.min(start.saturating_add(rows));
-            let mut band = Framebuffer::<Index4>::band(&mut memory, width, height, start..end)?;
-            let turned = Turned::of_area(&mut band, self.turn, screen);
-            let mut turned = if self.mirror { turned.mirrored() } else { turned };
-            page(&mut turned, font, &self.text);
-            let first = buffer_bytes::<Index4>(width, start);
-            let bytes = band.row_bytes(start..end);
-            whole[first..first + bytes.len()].copy_from_slice(bytes);
-        }
+        let mut whole = in_bands::<Index4, embedded_raster::Error>((width, height), self.band, |band| {
+            let turned = Turned::of_area(band, self.turn, screen);
+            page(&mut if self.mirror { turned.mirrored() } else { turned }, font, &self.text);
+            Ok(())
+        })?;
         Ok(Picture::indexed(&Framebuffer::<Index4>::new(&mut whole, width, height)?, &EGA))
     }
 }

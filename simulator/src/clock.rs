@@ -7,7 +7,6 @@ use embedded_graphics_core::{
     prelude::PixelColor,
 };
 use embedded_raster::{
-    buffer_bytes,
     paint::{Cover, CoverIndex, Dithered},
     raster::coverage,
     CoverageSlot, Error, Framebuffer, Index4, Paint, PixelFormat,
@@ -15,7 +14,7 @@ use embedded_raster::{
 
 pub use self::face::Time;
 use self::face::{palette, rgb, Face, Ink};
-use crate::Picture;
+use crate::{bands::in_bands, Picture};
 
 /// What the clock is shown on.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -76,16 +75,9 @@ where
     C: PixelColor + PixelFormat<Color = C>,
     P: for<'a> Paint<Framebuffer<'a, C>>,
 {
-    let (size, mut screen) = (face.size, Vec::new());
-    let (table, cells) = (&mut [CoverageSlot::EMPTY; face::SLOTS], &mut vec![0; coverage::cells(size)]);
-    let rows = rows.clamp(1, size);
-    for start in (0..size).step_by(rows.into()) {
-        let end = start.saturating_add(rows).min(size);
-        let mut ram = vec![0; buffer_bytes::<C>(size, end - start)];
-        let mut frame = Framebuffer::<C>::band(&mut ram, size, size, start..end)?;
-        frame.clear(ground);
-        face.draw(&mut frame, table, cells, &paint)?;
-        screen.extend_from_slice(frame.row_bytes(start..end));
-    }
-    Ok(screen)
+    let (table, cells) = (&mut [CoverageSlot::EMPTY; face::SLOTS], &mut vec![0; coverage::cells(face.size)]);
+    in_bands::<C, Error>((face.size, face.size), rows, |band| {
+        band.clear(ground);
+        Ok(face.draw(band, table, cells, &paint)?)
+    })
 }

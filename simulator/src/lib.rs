@@ -12,7 +12,8 @@
 //! makes APNG and GIF files of pictures, [`palettes`] reads colour tables, and [`quantize`]
 //! makes them for a picture. [`scanout`] is a display over time: what is seen of a
 //! buffer that is drawn on while it is shown. [`moving`] has what programs share that show a scene that moves, and
-//! [`heat`](mod@heat) counts how often each pixel is drawn. [`overlay`] lays that over a picture, and what was sent, and how long frames took. [`cookbook`] has the programs of the first hour.
+//! [`heat`](mod@heat) counts how often each pixel is drawn. [`overlay`] lays that over a picture, and what was sent, and how long frames
+//! took. [`cookbook`] has the programs of the first hour.
 //! ```
 //! use embedded_graphics_core::geometry::Point;
 //! use embedded_raster::{buffer_bytes, pixel::EGA, Canvas, Framebuffer, Index4};
@@ -24,6 +25,7 @@
 //! # Ok::<(), embedded_raster::Error>(())
 //! ```
 
+mod bands;
 pub mod clock;
 pub mod desktop;
 mod difference;
@@ -31,6 +33,7 @@ pub mod film;
 mod finish;
 pub mod gauge;
 pub mod heat;
+mod moment;
 pub mod moving;
 pub mod overlay;
 pub mod paint;
@@ -46,6 +49,7 @@ pub mod teapot;
 pub mod window;
 pub mod world;
 
+pub use bands::in_bands;
 pub use desktop::run;
 pub use difference::Difference;
 pub use finish::finish;

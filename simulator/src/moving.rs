@@ -8,6 +8,7 @@ use std::{collections::VecDeque, error::Error, fs, io::IsTerminal, time::Instant
 use embedded_raster::Rect;
 use lexopt::prelude::*;
 
+pub use crate::moment::Moment;
 use crate::{
     film,
     overlay::{Overlays, Times},
@@ -22,21 +23,6 @@ pub trait Moving {
     /// # Errors
     /// There is too little memory.
     fn next(&mut self) -> Result<Moment, embedded_raster::Error>;
-}
-
-/// A frame.
-#[derive(Clone, Debug)]
-pub struct Moment {
-    /// What the display shows now.
-    pub picture: Picture,
-    /// What it was sent for it.
-    pub sent: Vec<Rect>,
-    /// How often each pixel was drawn, row by row; empty if nobody counted.
-    pub drawn: Vec<u16>,
-    /// CRC-32 of what is shown, as a display is sent it.
-    pub crc32: u32,
-    /// Bytes of memory that a microcontroller would spend.
-    pub ram: usize,
 }
 
 /// What such a program is asked for.

@@ -16,7 +16,7 @@ use embedded_raster::{
     Canvas, Framebuffer, Rect,
 };
 
-use crate::{heat::color_of, moving::Moment, picture::Picture};
+use crate::{heat::color_of, moment::Moment, picture::Picture};
 
 /// Which of them are shown.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
