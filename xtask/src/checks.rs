@@ -117,6 +117,8 @@ fn on_chips(columns: Columns, proofs: Proofs) -> Result<()> {
     step("symbols: Cortex-M0+ at opt-level s", || symbols::check_all(&[Chip::M0], &[Opt::Small]))?;
     step("budget", || budget::check(columns))?;
     step("the firmware in README.md", readme::build_firmware)?;
+    // A core without atomic accesses, which no other step builds for.
+    step("cross: RV32IMC", || proofs::cross(Chip::Riscv))?;
     step("probe", || proofs::probe(proofs))
 }
 

@@ -4,18 +4,15 @@ use core::convert::Infallible;
 
 use embedded_graphics::framebuffer::{buffer_size, Framebuffer};
 use embedded_graphics::iterator::raw::RawDataSlice;
-use embedded_graphics::mono_font::ascii::FONT_6X10;
-use embedded_graphics::mono_font::MonoTextStyleBuilder;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{
     Circle, Line, PrimitiveStyle, Rectangle, RoundedRectangle, Triangle as EgTriangle,
 };
-use embedded_graphics::text::Text;
 
 use crate::engine::Engine;
-use crate::scene::{corner, Format, Ink, Label, Rect, Segment, Sprite, Triangle, HEIGHT, THICK, WIDTH};
+use crate::scene::{corner, text, Format, Ink, Rect, Segment, Sprite, Triangle, HEIGHT, THICK, WIDTH};
 
 /// A frame of embedded-graphics.
 type Frame<C, const N: usize> = Framebuffer<C, <C as PixelColor>::Raw, LittleEndian, WIDTH, HEIGHT, N>;
@@ -201,21 +198,4 @@ where
         let colours = raw.into_iter().map(F::Color::from);
         let Ok(()) = frame.fill_contiguous(&Rectangle::new(at, size), colours);
     }
-}
-
-/// Also for other targets: text is embedded-graphics' work, whoever takes its pixels.
-pub fn text<F: DrawTarget>(
-    frame: &mut F,
-    labels: &[Label<'_>],
-    colour: impl Fn(Ink) -> F::Color,
-) -> Result<(), F::Error> {
-    for label in labels {
-        let style = MonoTextStyleBuilder::new().font(&FONT_6X10).text_color(colour(label.ink));
-        let style = match label.paper {
-            Some(paper) => style.background_color(colour(paper)).build(),
-            None => style.build(),
-        };
-        Text::new(label.text, label.at, style).draw(frame)?;
-    }
-    Ok(())
 }

@@ -4,8 +4,8 @@
 #![no_main]
 
 use bench::engine::Engine;
-use bench::scene::{Ink, Label, Scene};
-use bench::{eg, own, report};
+use bench::scene::{self, Ink, Label, Scene};
+use bench::{own, report};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::Point;
 use embedded_raster::surface::{Turn, Turned};
@@ -35,7 +35,7 @@ fn only_text<F>(engine: &Engine<F>, text: Option<fn(&mut F, &[Label<'_>])>) -> E
 }
 
 fn text_of_eg(frame: &mut own::Frame<Rgb565>, labels: &[Label<'_>]) {
-    let Ok(()) = eg::text(&mut frame.surface(), labels, own::color::<Rgb565>);
+    let Ok(()) = scene::text(&mut frame.surface(), labels, own::color::<Rgb565>);
 }
 
 /// A turned screen is as wide as a line is long.

@@ -170,7 +170,7 @@ pub(super) fn twice_area(corners: &[Point]) -> u32 {
 pub(super) fn text_pixels(labels: &[Label<'_>]) -> u32 {
     let mut counter = Counter(0);
     let on = |_: Ink| BinaryColor::On;
-    let Ok(()) = crate::eg::text(&mut counter, labels, on);
+    let Ok(()) = super::text(&mut counter, labels, on);
     counter.0
 }
 

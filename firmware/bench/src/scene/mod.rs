@@ -5,6 +5,7 @@
 //! because neither kind of engine should pay for a conversion.
 
 mod lcg;
+mod letters;
 mod make;
 mod picture;
 
@@ -12,6 +13,7 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::primitives::Rectangle;
 
 pub use lcg::Lcg;
+pub use letters::text;
 pub use picture::{Format, Pictures};
 
 /// Radius of the corners of rounded rectangles.
