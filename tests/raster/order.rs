@@ -12,7 +12,7 @@ use embedded_raster::{
     Steps, Stroke,
 };
 use fixed::types::I24F8;
-use twins::rng::Rng;
+use twins::rng::{cases, Rng};
 
 /// What a shape has said so far.
 struct Said {
@@ -87,7 +87,7 @@ type Draw<'a> = Box<dyn Fn(Rect, Strict<'_>) + 'a>;
 #[test]
 fn every_shape_keeps_the_promises_of_a_sink() {
     let mut rng = Rng::new(900);
-    for round in 0..6_000 {
+    for round in 0..cases(6_000) {
         let place = |rng: &mut Rng| PointFx::from_bits(rng.int(-3_000, 15_000), rng.int(-3_000, 12_000));
         let point = |rng: &mut Rng| Point::new(rng.int(-10, 60), rng.int(-10, 45));
         let places: Vec<PointFx> = (0..rng.range(1, 8)).map(|_| place(&mut rng)).collect();

@@ -3,13 +3,16 @@
 /// How many random cases a test takes that usually takes `usual`: as many per cent of them as the variable
 /// `EMBEDDED_RASTER_CASES` says, but at least one.
 pub fn cases(usual: usize) -> usize {
-    let percent = match std::env::var("EMBEDDED_RASTER_CASES") {
+    (usual * percent() / 100).max(1)
+}
+
+fn percent() -> usize {
+    match std::env::var("EMBEDDED_RASTER_CASES") {
         Ok(text) => {
             text.parse().unwrap_or_else(|_| panic!("EMBEDDED_RASTER_CASES is `{text}`: it is a number of per cent"))
         }
         Err(_) => 100,
-    };
-    (usual * percent / 100).max(1)
+    }
 }
 
 /// `SplitMix64` (G. Steele, D. Lea, C. Flood, 2014).
@@ -64,6 +67,11 @@ impl Rng {
     /// True once in `n` times.
     pub fn one_in(&mut self, n: u64) -> bool {
         self.below(n) == 0
+    }
+
+    /// Whether to take the next of the cases that are counted one by one: as often as [`cases`] takes those that are random.
+    pub fn takes_it(&mut self) -> bool {
+        self.index(100) < percent()
     }
 
     /// One of some.

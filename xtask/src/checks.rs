@@ -24,10 +24,10 @@ const SWITCHES: [Switch; 2] = [("EMBEDDED_RASTER_TUNE", "size"), ("EMBEDDED_RAST
 const SWITCHED_TESTS: &[&[&str]] = &[&["--test=raster", "--test=golden"]];
 
 /// How many of the random cases of a test each build that is switched takes, in per cent.
-const SWITCHED_CASES: u32 = 20;
+const SWITCHED_CASES: u32 = 10;
 
 /// How many of the random cases of a test [`check`] takes, in per cent; whoever calls `cargo test` takes all.
-const CASES: u32 = 40;
+const CASES: u32 = 20;
 
 /// All that a change must pass, in some minutes.
 pub fn check() -> Result<()> {
@@ -51,6 +51,7 @@ pub fn full() -> Result<()> {
             "embedded-raster-twins/all-layouts",
             "--test=sequences",
             "--test=no_panic",
+            "--test=present",
         ],
     )?;
     step("modelled cycles: every chip", || budget::check_models(&Chip::ALL))?;

@@ -49,8 +49,17 @@ impl Toolchain {
 
     /// The same for any targets.
     pub(crate) fn cargo_build_for<'a>(&self, targets: impl IntoIterator<Item = &'a str>) -> Command {
+        self.cargo("build", targets)
+    }
+
+    /// `cargo check` for a chip: all but the machine code.
+    pub(crate) fn cargo_check(&self, chip: Chip) -> Command {
+        self.cargo("check", [chip.target()])
+    }
+
+    fn cargo<'a>(&self, command: &str, targets: impl IntoIterator<Item = &'a str>) -> Command {
         let mut cargo = Command::new(&self.cargo);
-        cargo.arg("build").env("RUSTC", &self.rustc);
+        cargo.arg(command).env("RUSTC", &self.rustc);
         cargo.args(targets.into_iter().flat_map(|target| ["--target", target]));
         if self.builds_core {
             // What this needs is unstable, and stays the same from one release to the next.

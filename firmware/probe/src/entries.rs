@@ -3,18 +3,23 @@
 use core::slice;
 
 use calls::{blending, call, computing, frames, shading, texts, Arguments};
-#[cfg(feature = "all-layouts")]
+#[cfg(feature = "bits")]
+use embedded_graphics_core::pixelcolor::BinaryColor;
+#[cfg(feature = "others")]
 use embedded_graphics_core::pixelcolor::Gray2;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, Rgb888};
-#[cfg(feature = "all-layouts")]
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+#[cfg(feature = "words")]
+use embedded_raster::pixel::Be;
+#[cfg(feature = "bits")]
+use embedded_raster::{pixel::Lsb0, surface::Pages};
+#[cfg(feature = "others")]
 use embedded_raster::{
     pixel::Xrgb8888,
     surface::{Packed12, Planes},
     Index1, Index8,
 };
 use embedded_raster::{
-    pixel::{Be, Lsb0},
-    surface::{Damage, Pages, Rows},
+    surface::{Damage, Rows},
     Frame, Index4, Layout, Palette, Rect,
 };
 
@@ -72,15 +77,20 @@ macro_rules! layouts {
     )*};
 }
 
+#[cfg(feature = "bits")]
 layouts! {
     Rows<Index4>: draw4 frame4 text4;
-    Rows<Rgb565>: draw16 frame16 text16;
-    Rows<Be<Rgb888>>: draw24 frame24 text24;
     Pages<Lsb0<BinaryColor>>: draw_pages frame_pages text_pages;
 }
 
-// One of each kind is enough for a chip, and for every change: the linker has twice as much to do with all of them.
-#[cfg(feature = "all-layouts")]
+#[cfg(feature = "words")]
+layouts! {
+    Rows<Rgb565>: draw16 frame16 text16;
+    Rows<Be<Rgb888>>: draw24 frame24 text24;
+}
+
+// Some of each kind are enough for a chip, and for every change: the linker has twice as much to do with all of them.
+#[cfg(feature = "others")]
 layouts! {
     Rows<Index1>: draw1 frame1 text1;
     Rows<Lsb0<Gray2>>: draw2 frame2 text2;
