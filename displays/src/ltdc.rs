@@ -12,7 +12,7 @@
 //! ```
 //! A layer of indices is a frame of [`Index8`] and its palette: cycling colours writes some of 256 words, and no
 //! pixel. With `embassy-stm32`, [`colors`] are what `Ltdc::init_layer` takes as its table, and the address of
-//! [`Frame::memory`] what `set_buffer` takes.
+//! [`Frame::memory`] what `set_buffer` takes: `displays/embassy` in the repository does it with that crate's types.
 //!
 //! Source: STMicroelectronics, RM0090, "LCD-TFT controller", LTDC registers.
 

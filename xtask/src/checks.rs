@@ -68,6 +68,10 @@ pub fn full() -> Result<()> {
             playground::check_chips(&builds)
         })?;
     }
+    cargo_step(
+        "layers of embassy-stm32",
+        &["test", "--manifest-path=displays/embassy/Cargo.toml", "--target-dir=target"],
+    )?;
     step("the playground in a browser", playground::check)?;
     cargo_step("lab", &["run", "--release", "--package", "lab", "--", "--quick"])?;
     cargo_step("shaded values", &["run", "--release", "--package", "lab", "--", "--samples"])?;
