@@ -11,6 +11,7 @@ use embedded_raster::{
 };
 use twins::{
     coverage::Levels,
+    relay::Relay,
     rng::{cases, Rng},
 };
 
@@ -81,7 +82,7 @@ fn check<L: Layout>(
     let memory: Vec<u8> = (0..stride * usize::from(SIZE.1)).map(|_| rng.bits() as u8).collect();
     let before = Frame::<_, L>::with_stride(memory.clone(), SIZE.0, SIZE.1, stride).expect("enough memory");
     let mut after = Frame::<_, L>::with_stride(memory, SIZE.0, SIZE.1, stride).expect("enough memory");
-    after.fill_triangle_aa(corners, &mut [], paint);
+    after.paint(paint, |window, mut brush| coverage::triangle(corners, &mut [], window, Relay(&mut brush)));
     for (x, y) in (0..window().y1).flat_map(|y| (0..window().x1).map(move |x| (x, y))) {
         let (old, got) = (before.get((x, y)).expect("a pixel"), after.get((x, y)).expect("a pixel"));
         let level = levels.at(x, y);

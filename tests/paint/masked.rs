@@ -12,6 +12,7 @@ use embedded_raster::{
 };
 use twins::{
     coverage::Levels,
+    relay::Relay,
     rng::{cases, Rng},
 };
 
@@ -90,9 +91,9 @@ fn check<L: Layout, K: Layout>(
     for (mut after, levels, is_soft) in [(first, soft, true), (second, hard, false)] {
         let paint = Masked::new(mask, paint.clone());
         if is_soft {
-            after.fill_triangle_aa(corners, &mut [], paint);
+            after.paint(paint, |window, mut brush| coverage::triangle(corners, &mut [], window, Relay(&mut brush)));
         } else {
-            after.paint(paint, |window, brush| triangle::fill(corners, window, brush));
+            after.paint(paint, |window, mut brush| triangle::fill(corners, window, Relay(&mut brush)));
         }
         for (x, y) in pixels() {
             let (old, got) = (before.get((x, y)).expect("a pixel"), after.get((x, y)).expect("a pixel"));

@@ -14,7 +14,10 @@ use embedded_raster::{
     surface::{Packed12, Pages, Planes, Rows},
     Bitmap, Canvas, ClippedSpan, Ellipse, Frame, Index1, Index2, Index4, Index8, Layout, Paint, PixelFormat, Rect,
 };
-use twins::rng::{cases, Rng};
+use twins::{
+    relay::Relay,
+    rng::{cases, Rng},
+};
 
 const WIDTH: i32 = 40;
 const HEIGHT: i32 = 24;
@@ -46,7 +49,7 @@ where
     let old = Frame::<_, L>::band(&mut before[..], WIDTH as u16, HEIGHT as u16, rows.clone()).unwrap();
     let area = if rng.one_in(3) { Rect::new(4, 9, 33, 15) } else { Rect::new(0, 0, WIDTH, HEIGHT) };
     let mut view = frame.view(area);
-    view.clipped(clip).paint(paint, |window, brush| ellipse::fill(disc, window, brush));
+    view.clipped(clip).paint(paint, |window, mut brush| ellipse::fill(disc, window, Relay(&mut brush)));
     let mut in_disc = [false; (WIDTH * HEIGHT) as usize];
     ellipse::fill(disc, Rect::new(0, 0, WIDTH, HEIGHT), |span: ClippedSpan| {
         (span.x0()..span.x1()).for_each(|x| in_disc[(span.y() * WIDTH + x) as usize] = true);

@@ -36,6 +36,7 @@ pub mod outlines;
 pub mod packed;
 pub mod pictures;
 pub mod planes;
+pub mod relay;
 pub mod rng;
 pub mod rounds;
 pub mod scenes;
