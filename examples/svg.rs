@@ -30,7 +30,8 @@ usage: svg --path DATA [--path DATA ...] | --input FILE.svg [--size WxH] [--bits
 
 --path DATA      what SVG has in the attribute `d`, drawn in black on white
 --input FILE     an SVG file, in its own colours: paths, basic shapes, groups, transforms, fills and outlines; what it asks
-                 for beyond that is named on standard error
+                 for beyond that is named on standard error. Path data that makes no sense is drawn as far as it does, and then
+                 is an error
 --size WxH       size of the picture: 24x24, or that of the file; at most 4096x4096
 --bits BITS      depth of the picture: 1
 --fill RULE      what is inside of the path: nonzero
@@ -64,7 +65,7 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     if options.window {
         return watch(options);
     }
-    let Scene { shapes, screen, unknown } = options.scene()?;
+    let Scene { shapes, screen, unknown, error } = options.scene()?;
     for what in unknown {
         writeln!(io::stderr(), "svg: not drawn as it should be: {what}")?;
     }
@@ -78,7 +79,14 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         format!("pixels {}", drawing.pixels),
         format!("slots {} at once, {} with fewer rows at a time", needs.whole, needs.least),
     ];
-    Ok(lines.map(|line| line + "\n").concat())
+    let text = lines.map(|line| line + "\n").concat();
+    match error {
+        None => Ok(text),
+        Some(error) => {
+            write!(io::stdout(), "{text}")?;
+            Err(error.into())
+        }
+    }
 }
 
 /// What is drawn, and on what.
@@ -87,6 +95,8 @@ struct Scene {
     screen: Screen,
     /// What a file asks for in vain.
     unknown: BTreeSet<String>,
+    /// Path data of a file that makes no sense: it is drawn as far as it does.
+    error: Option<String>,
 }
 
 /// Shows it in a window, and does what the keys say.
@@ -200,7 +210,7 @@ impl Options {
                 Long("translate") => options.translate = arguments.value()?.parse_with(parse_pair)?,
                 Long("band") => options.screen.band = arguments.value()?.parse_with(parse_rows)?,
                 Long("slots") => options.screen.slots = arguments.value()?.parse_with(parse_slots)?,
-                Long("out") => options.out = arguments.value()?.parse_with(parse_out)?,
+                Long("out" | "output") => options.out = arguments.value()?.parse_with(parse_out)?,
                 Long("window") => options.window = true,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
@@ -223,7 +233,7 @@ impl Options {
 
     /// What is drawn, the file first, and on what.
     fn scene(&self) -> Result<Scene, Box<dyn Error>> {
-        let (mut shapes, mut screen, mut unknown) = (vec![], self.screen, BTreeSet::new());
+        let (mut shapes, mut screen, mut unknown, mut error) = (vec![], self.screen, BTreeSet::new(), None);
         if let Some(input) = &self.input {
             let named = |error: String| format!("{input}: {error}");
             let text = fs::read_to_string(input).map_err(|error| named(error.to_string()))?;
@@ -239,9 +249,13 @@ impl Options {
             let fit = if self.is_sized { (screen.width, screen.height) } else { file.size() };
             shapes = self.file(&mut file, fit);
             unknown = file.unknown;
+            error = file.errors.first().map(|first| match file.errors.len() {
+                1 => named(first.clone()),
+                all => named(format!("{first}, and {} more", all - 1)),
+            });
         }
         shapes.extend(self.paths()?);
-        Ok(Scene { shapes, screen, unknown })
+        Ok(Scene { shapes, screen, unknown, error })
     }
 
     /// The shapes of a file.

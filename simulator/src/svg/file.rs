@@ -4,20 +4,33 @@
 //! root of what areas are scaled by.
 
 use std::{
-    collections::{BTreeMap, BTreeSet},
+    collections::{BTreeMap, BTreeSet, HashMap},
+    rc::Rc,
     str::FromStr,
 };
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use embedded_raster::{Affine, Cap, FillRule, Join, Path, PathSegment, Stroke};
+use embedded_raster::{Affine, Cap, FillRule, Join, Path, PathSegment, Stroke, SvgError};
 use fixed::types::{I16F16, I24F8};
 use roxmltree::{Document, Node, ParsingOptions};
-use svgtypes::{Color, Length, LengthListParser, LengthUnit, Paint, PointsParser, Transform, ViewBox};
+use svgtypes::{
+    Align, AspectRatio, Color, Length, LengthListParser, LengthUnit, Paint, PaintFallback, PointsParser, Transform,
+    ViewBox,
+};
 
-use super::scene::{Outline, Shape};
+use super::{
+    numbers,
+    scene::{Outline, Shape},
+    sheet::{declarations, Sheet},
+};
 
 /// How deep `use` may refer to what refers to something.
 const DEPTH: usize = 16;
+/// How deep elements may lie in each other.
+const NESTED: usize = 512;
+/// How much is drawn, in bytes of path data, with as many for each element: uses of uses make a large picture of a small file.
+const MOST: usize = 1 << 26;
+const ELEMENT: usize = 64;
 
 /// An SVG file.
 #[derive(Debug)]
@@ -28,14 +41,18 @@ pub struct File {
     view: [f64; 4],
     /// Width and height that it asks for, in pixels.
     size: [f64; 2],
+    /// Where the part lies on a screen that is wider or higher.
+    aspect: AspectRatio,
     /// What was left out.
     pub unknown: BTreeSet<String>,
+    /// Path data that makes no sense, with its line and what is wrong: it is drawn as far as it does.
+    pub errors: Vec<String>,
 }
 
 /// A shape with its style.
 #[derive(Debug)]
 struct Mark {
-    data: String,
+    data: Rc<str>,
     map: Transform,
     style: Style,
 }
@@ -44,32 +61,57 @@ struct Mark {
 #[derive(Clone, Debug)]
 struct Style {
     color: Rgb888,
-    fill: Option<Rgb888>,
+    fill: Ink,
     rule: FillRule,
-    stroke: Option<Rgb888>,
+    stroke: Ink,
     width: f64,
+    /// The width is one on the screen, whatever the map.
+    is_fixed: bool,
     cap: Cap,
     join: Join,
     miter_limit: f64,
     dashes: Vec<f64>,
     phase: f64,
     is_visible: bool,
+    /// What per cents are of: width and height of the part of the plane that is shown.
+    whole: [f64; 2],
+}
+
+/// What a shape is painted with.
+#[derive(Copy, Clone, Debug)]
+enum Ink {
+    None,
+    Color(Rgb888),
+    /// That of the attribute `color`, where it is painted.
+    Current,
+}
+
+impl Ink {
+    fn color(self, current: Rgb888) -> Option<Rgb888> {
+        match self {
+            Self::None => None,
+            Self::Color(color) => Some(color),
+            Self::Current => Some(current),
+        }
+    }
 }
 
 impl Default for Style {
     fn default() -> Self {
         Self {
             color: Rgb888::BLACK,
-            fill: Some(Rgb888::BLACK),
+            fill: Ink::Color(Rgb888::BLACK),
             rule: FillRule::NonZero,
-            stroke: None,
+            stroke: Ink::None,
             width: 1.0,
+            is_fixed: false,
             cap: Cap::Butt,
             join: Join::Miter,
             miter_limit: 4.0,
             dashes: vec![],
             phase: 0.0,
             is_visible: true,
+            whole: [100.0, 100.0],
         }
     }
 }
@@ -86,14 +128,13 @@ impl File {
         if root.tag_name().name() != "svg" {
             return Err(format!("`{}` is no SVG", root.tag_name().name()));
         }
-        let mut reader =
-            Reader { document: &document, marks: vec![], unknown: BTreeSet::new(), rules: BTreeMap::new() };
-        reader.read_rules();
-        let view = root.attribute("viewBox").and_then(|text| ViewBox::from_str(text).ok());
-        let asked = |name: &str| root.attribute(name).and_then(|text| Length::from_str(text).ok());
-        let pixels =
-            |length: Option<Length>| length.filter(|l| l.unit != LengthUnit::Percent).map(|l| l.number * unit(l.unit));
-        let [width, height] = ["width", "height"].map(|name| pixels(asked(name)));
+        let view = root.attribute("viewBox").map(ViewBox::from_str);
+        let is_wrong = matches!(view, Some(Err(_)));
+        let view = view.and_then(Result::ok);
+        let [width, height] = ["width", "height"].map(|name| {
+            let length = Length::from_str(root.attribute(name)?).ok()?;
+            Some(length.number * unit(length.unit)).filter(|n| length.unit != LengthUnit::Percent && *n > 0.0)
+        });
         let size = match (view, width, height) {
             (_, Some(width), Some(height)) => [width, height],
             (Some(view), Some(width), None) => [width, width * view.h / view.w],
@@ -102,8 +143,23 @@ impl File {
             (None, width, height) => [width.unwrap_or(100.0), height.unwrap_or(100.0)],
         };
         let view = view.map_or([0.0, 0.0, size[0], size[1]], |view| [view.x, view.y, view.w, view.h]);
-        reader.read(root, &Style::default(), Transform::default(), 0);
-        Ok(Self { marks: reader.marks, view, size, unknown: reader.unknown })
+        let mut unknown = BTreeSet::new();
+        if is_wrong {
+            unknown.insert("the attribute `viewBox`".into());
+        }
+        let sheet = Sheet::of(&document, &mut unknown);
+        let mut ids = HashMap::new();
+        for node in document.descendants() {
+            if let Some(id) = node.attribute("id") {
+                // Of several, the first one.
+                ids.entry(id).or_insert(node);
+            }
+        }
+        let mut reader = Reader { document: &document, marks: vec![], unknown, errors: vec![], sheet, ids, left: MOST };
+        let style = Style { whole: [view[2], view[3]], ..Style::default() };
+        reader.read(root, &style, Transform::default(), Depth::default());
+        let Reader { marks, unknown, errors, .. } = reader;
+        Ok(Self { marks, view, size, aspect: aspect(root.attribute("preserveAspectRatio")), unknown, errors })
     }
 
     /// The pixels that it asks for, from 1 to 4096 in each direction.
@@ -115,47 +171,37 @@ impl File {
 
     /// The path data of its shapes, as SVG has it: that of basic shapes is made here.
     pub fn data(&self) -> impl Iterator<Item = &str> {
-        self.marks.iter().map(|mark| mark.data.as_str())
+        self.marks.iter().map(|mark| &*mark.data)
     }
 
     /// Its shapes on a screen of this size, in the middle and as large as they fit, and then mapped by the six numbers that SVG
     /// calls `matrix`. What turns out to be unknown is added to the rest of it.
     pub fn shapes(&mut self, (width, height): (u16, u16), then: [f64; 6], min_width: I24F8) -> Vec<Shape> {
-        let [left, top, wide, high] = self.view;
-        let (width, height) = (f64::from(width), f64::from(height));
-        let scale = (width / wide).min(height / high);
-        let fit = Transform::new(
-            scale,
-            0.0,
-            0.0,
-            scale,
-            (width - scale * wide) / 2.0 - scale * left,
-            (height - scale * high) / 2.0 - scale * top,
-        );
+        let fit = fit(self.view, [f64::from(width), f64::from(height)], self.aspect);
         let [a, b, c, d, e, f] = then;
         let fit = product(Transform::new(a, b, c, d, e, f), fit);
         let mut shapes = vec![];
         for mark in &self.marks {
             let map = product(fit, mark.map);
-            let path = segments(&mark.data, map, &mut self.unknown);
-            let grows = (map.a * map.d - map.b * map.c).abs().sqrt();
+            let path = segments(&mark.data, map);
+            let (fill, stroke) = (mark.style.fill.color(mark.style.color), mark.style.stroke.color(mark.style.color));
+            let grows = if mark.style.is_fixed { 1.0 } else { (map.a * map.d - map.b * map.c).abs().sqrt() };
             let even = (map.a - map.d).hypot(map.b + map.c).min((map.a + map.d).hypot(map.b - map.c));
-            if mark.style.stroke.is_some() && even > 1e-3 * grows {
+            if stroke.is_some() && !mark.style.is_fixed && even > 1e-3 * grows {
                 self.unknown.insert("outlines that are wider in one direction than in the other".into());
             }
-            let length = |n: f64| I24F8::saturating_from_num(n * grows);
-            let outline = mark.style.stroke.filter(|_| mark.style.width > 0.0).map(|color| Outline {
+            let length = |n: f64| I24F8::saturating_from_num(finite(n * grows));
+            let outline = stroke.filter(|_| mark.style.width > 0.0).map(|color| Outline {
                 stroke: Stroke::new(length(mark.style.width))
                     .with_cap(mark.style.cap)
                     .with_join(mark.style.join)
-                    .with_miter_limit(I24F8::saturating_from_num(mark.style.miter_limit))
+                    .with_miter_limit(I24F8::saturating_from_num(finite(mark.style.miter_limit)))
                     .with_min_width(min_width),
                 dashes: mark.style.dashes.iter().map(|&n| length(n)).collect(),
                 phase: length(mark.style.phase),
                 color,
             });
-            let fill = mark.style.fill.map(|color| (mark.style.rule, color));
-            shapes.push(Shape { path, fill, drop_out: None, outline });
+            shapes.push(Shape { path, fill: fill.map(|color| (mark.style.rule, color)), drop_out: None, outline });
         }
         shapes
     }
@@ -173,9 +219,44 @@ fn product(a: Transform, b: Transform) -> Transform {
     )
 }
 
-/// Path data as it is on the screen. Of data that makes no sense, what comes before.
-fn segments(data: &str, map: Transform, unknown: &mut BTreeSet<String>) -> Vec<PathSegment> {
-    let number = I16F16::saturating_from_num::<f64>;
+/// A part of the plane on an area of this size, whose corner is (0, 0).
+fn fit([left, top, wide, high]: [f64; 4], size: [f64; 2], aspect: AspectRatio) -> Transform {
+    let [x, y] = [size[0] / wide, size[1] / high];
+    let one = if aspect.slice { x.max(y) } else { x.min(y) };
+    let [x, y] = if aspect.align == Align::None { [x, y] } else { [one, one] };
+    // Where the rest lies: half before it, unless told.
+    let (before_x, before_y) = match aspect.align {
+        Align::None | Align::XMinYMin => (0.0, 0.0),
+        Align::XMidYMin => (0.5, 0.0),
+        Align::XMaxYMin => (1.0, 0.0),
+        Align::XMinYMid => (0.0, 0.5),
+        Align::XMidYMid => (0.5, 0.5),
+        Align::XMaxYMid => (1.0, 0.5),
+        Align::XMinYMax => (0.0, 1.0),
+        Align::XMidYMax => (0.5, 1.0),
+        Align::XMaxYMax => (1.0, 1.0),
+    };
+    let (rest_x, rest_y) = (size[0] - x * wide, size[1] - y * high);
+    Transform::new(x, 0.0, 0.0, y, before_x * rest_x - x * left, before_y * rest_y - y * top)
+}
+
+fn aspect(text: Option<&str>) -> AspectRatio {
+    text.and_then(|text| AspectRatio::from_str(text).ok()).unwrap_or_default()
+}
+
+/// A number that is one: 0 in place of what a quotient by 0 makes.
+fn finite(n: f64) -> f64 {
+    if n.is_nan() {
+        0.0
+    } else {
+        n
+    }
+}
+
+/// Path data, which is right, as it is on the screen.
+fn segments(data: &str, map: Transform) -> Vec<PathSegment> {
+    let (data, map) = numbers::fitted(data, map);
+    let number = |n: f64| I16F16::saturating_from_num(finite(n));
     let map = Affine {
         xx: number(map.a),
         xy: number(map.c),
@@ -184,17 +265,18 @@ fn segments(data: &str, map: Transform, unknown: &mut BTreeSet<String>) -> Vec<P
         yy: number(map.d),
         dy: number(map.f),
     };
-    let mut data = data;
-    loop {
-        match Path::svg(data) {
-            Ok(path) => return path.mapped(map).collect(),
-            Err(error) => {
-                unknown.insert(format!("path data: {error}"));
-                data = &data[..error.position];
-                data = &data[..data.rfind(|c: char| c.is_ascii_alphabetic()).unwrap_or(0)];
-            }
-        }
+    Path::svg(&data).map(|path| path.mapped(map).collect()).unwrap_or_default()
+}
+
+/// The start of path data, as far as it makes sense, and what comes then.
+fn right_part(data: &str) -> (&str, Option<SvgError>) {
+    let (mut right, mut first) = (data, None);
+    while let Err(error) = Path::svg(right) {
+        right = &right[..error.position];
+        right = &right[..right.rfind(|c: char| c.is_ascii_alphabetic()).unwrap_or(0)];
+        first = first.or(Some(error));
     }
+    (right, first)
 }
 
 /// Pixels of a unit.
@@ -215,53 +297,53 @@ fn rgb(color: Color) -> Rgb888 {
     Rgb888::new(color.red, color.green, color.blue)
 }
 
+/// How deep an element lies in others, and in uses of others.
+#[derive(Copy, Clone, Debug, Default)]
+struct Depth {
+    elements: usize,
+    uses: usize,
+}
+
+impl Depth {
+    fn more(self) -> Self {
+        Self { elements: self.elements + 1, ..self }
+    }
+}
+
 /// Goes over a document.
 struct Reader<'a, 'input> {
     document: &'a Document<'input>,
     marks: Vec<Mark>,
     unknown: BTreeSet<String>,
-    /// Declarations of a style sheet, by their simple selectors: `path`, `.class`, `#id`.
-    rules: BTreeMap<String, Vec<(String, String)>>,
-}
-
-fn declarations(text: &str) -> impl Iterator<Item = (String, String)> + '_ {
-    let parts = text.split(';').filter_map(|part| part.split_once(':'));
-    parts.map(|(name, value)| (name.trim().into(), value.trim_end_matches("!important").trim().into()))
+    errors: Vec<String>,
+    sheet: Sheet,
+    ids: HashMap<&'a str, Node<'a, 'input>>,
+    /// What is left of [`MOST`].
+    left: usize,
 }
 
 impl<'a, 'input: 'a> Reader<'a, 'input> {
-    fn read_rules(&mut self) {
-        for sheet in self.document.descendants().filter(|node| node.tag_name().name() == "style") {
-            for rule in sheet.text().unwrap_or_default().split('}') {
-                let Some((selectors, body)) = rule.split_once('{') else { continue };
-                for selector in selectors.split(',').map(str::trim) {
-                    let simple = selector.trim_start_matches(['.', '#']);
-                    if simple.is_empty() || !simple.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_') {
-                        self.unknown.insert(format!("the selector `{selector}`"));
-                        continue;
-                    }
-                    self.rules.entry(selector.into()).or_default().extend(declarations(body));
-                }
-            }
-        }
-    }
-
-    /// All that is said of a node: attributes, then the style sheet, then its own style.
+    /// All that is said of a node: attributes, then the style sheet, then its own style; what is important is said last.
     fn said(&self, node: Node<'a, 'input>) -> BTreeMap<String, String> {
+        // Attributes with a prefix are notes of other programs.
+        let attributes = node.attributes().filter(|attribute| attribute.namespace().is_none());
         let mut all: BTreeMap<String, String> =
-            node.attributes().map(|attribute| (attribute.name().into(), attribute.value().into())).collect();
-        let mut selectors = vec![node.tag_name().name().to_owned()];
-        let classes = node.attribute("class").unwrap_or_default().split_whitespace();
-        selectors.extend(classes.map(|class| format!(".{class}")));
-        selectors.extend(node.attribute("id").map(|id| format!("#{id}")));
-        for rule in selectors.iter().filter_map(|selector| self.rules.get(selector)) {
-            all.extend(rule.iter().cloned());
+            attributes.map(|attribute| (attribute.name().into(), attribute.value().into())).collect();
+        let own = declarations(node.attribute("style").unwrap_or_default());
+        let said: Vec<_> = self.sheet.about(node).cloned().chain(own).collect();
+        for is_important in [false, true] {
+            let these = said.iter().filter(|declaration| declaration.is_important == is_important);
+            all.extend(these.map(|declaration| (declaration.name.clone(), declaration.value.clone())));
         }
-        all.extend(declarations(node.attribute("style").unwrap_or_default()));
         all
     }
 
-    fn read(&mut self, node: Node<'a, 'input>, inherited: &Style, map: Transform, depth: usize) {
+    fn read(&mut self, node: Node<'a, 'input>, inherited: &Style, map: Transform, depth: Depth) {
+        if self.left < ELEMENT {
+            self.unknown.insert(format!("what comes after {MOST} bytes of paths"));
+            return;
+        }
+        self.left -= ELEMENT;
         let name = node.tag_name().name();
         let said = self.said(node);
         let get = |name: &str| said.get(name).map(String::as_str);
@@ -277,42 +359,53 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
             }
             None => map,
         };
-        for what in ["mask", "clip-path", "filter", "marker-start", "marker-mid", "marker-end", "marker"] {
+        const LEFT_OUT: [&str; 8] =
+            ["mask", "clip-path", "filter", "marker-start", "marker-mid", "marker-end", "marker", "transform-origin"];
+        for what in LEFT_OUT {
             if get(what).is_some_and(|value| value != "none") {
                 self.unknown.insert(format!("the attribute `{what}`"));
             }
         }
         match name {
-            "svg" | "g" | "a" | "switch" | "symbol" => {
-                let inner = if name == "svg" && depth > 0 {
-                    let at = |name| get(name).and_then(|text| self.length(text, 0)).unwrap_or(0.0);
-                    product(map, Transform::new(1.0, 0.0, 0.0, 1.0, at("x"), at("y")))
-                } else {
-                    map
-                };
-                for child in node.children().filter(Node::is_element) {
-                    if child.tag_name().name() != "symbol" {
-                        self.read(child, &style, inner, depth + 1);
-                    }
+            "svg" if depth.elements > 0 => self.area(node, &said, style, map, depth),
+            "svg" | "g" | "a" => self.children(node, &style, map, depth),
+            "switch" => {
+                // The first one that asks for nothing that is not here.
+                let is_plain = |node: &Node<'a, 'input>| node.is_element() && !node.has_attribute("requiredExtensions");
+                if let Some(child) = node.children().find(is_plain) {
+                    self.read(child, &style, map, depth.more());
                 }
             }
+            // It is drawn where it is used.
+            "symbol" => {}
             "use" => {
                 let href = node.attributes().find(|attribute| attribute.name() == "href").map(|a| a.value());
                 let id = href.and_then(|href| href.strip_prefix('#'));
-                let target =
-                    id.and_then(|id| self.document.descendants().find(|node| node.attribute("id") == Some(id)));
-                let Some(target) = target.filter(|_| depth < DEPTH) else {
+                let target = id.and_then(|id| self.ids.get(id).copied());
+                let Some(target) = target.filter(|_| depth.uses < DEPTH) else {
                     self.unknown.insert("a `use` of something that is not there".into());
                     return;
                 };
-                let at = |name| get(name).and_then(|text| self.length(text, 0)).unwrap_or(0.0);
-                let map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, at("x"), at("y")));
-                self.read(target, &style, map, depth + 1);
+                let at = |name, axis| get(name).and_then(|text| length(text, axis, style.whole)).unwrap_or(0.0);
+                let map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, at("x", 0), at("y", 1)));
+                let depth = Depth { uses: depth.uses + 1, ..depth.more() };
+                match target.tag_name().name() {
+                    "symbol" | "svg" => {
+                        // Its size is that of the use, if that has one.
+                        let mut of = self.said(target);
+                        of.extend(
+                            ["width", "height"].iter().filter_map(|&name| Some((name.into(), get(name)?.into()))),
+                        );
+                        let style = self.style(&of, &style);
+                        self.area(target, &of, style, map, depth);
+                    }
+                    _ => self.read(target, &style, map, depth),
+                }
             }
             "defs" | "title" | "desc" | "metadata" | "style" | "namedview" | "script" | "linearGradient"
             | "radialGradient" | "clipPath" | "mask" | "filter" | "marker" | "pattern" | "SVGTestCase" => {}
-            _ => match self.data(name, &said) {
-                Some(data) if style.is_visible => self.marks.push(Mark { data, map, style }),
+            _ => match data(name, &said, style.whole) {
+                Some(data) if style.is_visible => self.mark(node, &data, map, style),
                 Some(_) => {}
                 None => {
                     self.unknown.insert(format!("the element `{name}`"));
@@ -321,78 +414,52 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         }
     }
 
-    /// A length in the units of the file; of a per cent, the share of the root's width, height, or of a mean of both.
-    fn length(&self, text: &str, axis: usize) -> Option<f64> {
-        let length = Length::from_str(text).ok()?;
-        if length.unit != LengthUnit::Percent {
-            return Some(length.number * unit(length.unit));
+    fn children(&mut self, node: Node<'a, 'input>, style: &Style, map: Transform, depth: Depth) {
+        if depth.elements >= NESTED {
+            self.unknown.insert(format!("what lies in {NESTED} elements and more"));
+            return;
         }
-        let root = self.document.root_element();
-        let view = root.attribute("viewBox").and_then(|text| ViewBox::from_str(text).ok());
-        let size = view.map_or([100.0, 100.0], |view| [view.w, view.h]);
-        let whole = match axis {
-            0 => size[0],
-            1 => size[1],
-            _ => (size[0].hypot(size[1])) / 2_f64.sqrt(),
-        };
-        Some(length.number / 100.0 * whole)
+        for child in node.children().filter(Node::is_element) {
+            self.read(child, style, map, depth.more());
+        }
     }
 
-    /// The path data of a shape; `None` if it is none.
-    fn data(&self, name: &str, said: &BTreeMap<String, String>) -> Option<String> {
-        let number = |name: &str, axis: usize| said.get(name).and_then(|text| self.length(text, axis));
+    /// The inside of an `svg` in another one, or of a `symbol` in use: a part of the plane on an area of this one.
+    fn area(
+        &mut self,
+        node: Node<'a, 'input>,
+        said: &BTreeMap<String, String>,
+        mut style: Style,
+        map: Transform,
+        depth: Depth,
+    ) {
+        let number = |name, axis| said.get(name).and_then(|text| length(text, axis, style.whole));
         let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-        let [cx, cy] = [("cx", 0), ("cy", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-        let ellipse = |rx: f64, ry: f64| {
-            if rx <= 0.0 || ry <= 0.0 {
-                return String::new();
+        let size = [("width", 0), ("height", 1)].map(|(name, axis)| number(name, axis).unwrap_or(style.whole[axis]));
+        if size.iter().any(|&side| side <= 0.0) {
+            return;
+        }
+        let mut map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, x, y));
+        style.whole = size;
+        if let Some(Ok(view)) = said.get("viewBox").map(|text| ViewBox::from_str(text)) {
+            let aspect = aspect(said.get("preserveAspectRatio").map(String::as_str));
+            map = product(map, fit([view.x, view.y, view.w, view.h], size, aspect));
+            style.whole = [view.w, view.h];
+        }
+        self.children(node, &style, map, depth);
+    }
+
+    fn mark(&mut self, node: Node<'a, 'input>, data: &str, map: Transform, style: Style) {
+        self.left = self.left.saturating_sub(data.len());
+        let (right, wrong) = right_part(data);
+        if let Some(error) = wrong {
+            let line = self.document.text_pos_at(node.range().start).row;
+            let error = format!("line {line}: path data: {error}");
+            if !self.errors.contains(&error) {
+                self.errors.push(error);
             }
-            let d = 2.0 * rx;
-            format!("M{:.9} {cy:.9}a{rx:.9} {ry:.9} 0 1 1 -{d:.9} 0a{rx:.9} {ry:.9} 0 1 1 {d:.9} 0z", cx + rx)
-        };
-        let points = || {
-            let points = PointsParser::from(said.get("points").map_or("", String::as_str));
-            let text = points.map(|(x, y)| format!("{x:.9},{y:.9}")).collect::<Vec<_>>().join(" ");
-            if text.is_empty() {
-                text
-            } else {
-                format!("M{text}")
-            }
-        };
-        Some(match name {
-            "path" => said.get("d").cloned().unwrap_or_default(),
-            "circle" => {
-                let r = number("r", 2).unwrap_or(0.0);
-                ellipse(r, r)
-            }
-            "ellipse" => ellipse(number("rx", 0).unwrap_or(0.0), number("ry", 1).unwrap_or(0.0)),
-            "line" => {
-                let [a, b] = [("x1", 0), ("y1", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-                let [c, d] = [("x2", 0), ("y2", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-                format!("M{a:.9} {b:.9}L{c:.9} {d:.9}")
-            }
-            "polyline" => points(),
-            "polygon" => points() + if points().is_empty() { "" } else { "z" },
-            "rect" => {
-                let [w, h] = [("width", 0), ("height", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-                if w <= 0.0 || h <= 0.0 {
-                    return Some(String::new());
-                }
-                let (rx, ry) = (number("rx", 0), number("ry", 1));
-                let rx = rx.or(ry).unwrap_or(0.0).clamp(0.0, w / 2.0);
-                let ry = ry.or(number("rx", 0)).unwrap_or(0.0).clamp(0.0, h / 2.0);
-                if rx == 0.0 || ry == 0.0 {
-                    return Some(format!("M{x:.9} {y:.9}h{w:.9}v{h:.9}h-{w:.9}z"));
-                }
-                let (a, b) = (w - 2.0 * rx, h - 2.0 * ry);
-                let arc = format!("a{rx:.9} {ry:.9} 0 0 1 ");
-                format!(
-                    "M{:.9} {y:.9}h{a:.9}{arc}{rx:.9} {ry:.9}v{b:.9}{arc}-{rx:.9} {ry:.9}h-{a:.9}{arc}-{rx:.9} -{ry:.9}v-{b:.9}{arc}{rx:.9} -{ry:.9}z",
-                    x + rx
-                )
-            }
-            _ => return None,
-        })
+        }
+        self.marks.push(Mark { data: right.into(), map, style });
     }
 
     /// What a node makes of the style that it inherits.
@@ -402,11 +469,11 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         if let Some(Ok(color)) = get("color").map(Color::from_str) {
             style.color = rgb(color);
         }
-        style.fill = self.paint(get("fill"), style.fill, style.color);
-        style.stroke = self.paint(get("stroke"), style.stroke, style.color);
+        style.fill = self.paint(get("fill"), style.fill);
+        style.stroke = self.paint(get("stroke"), style.stroke);
         for (name, paint) in [("fill-opacity", &mut style.fill), ("stroke-opacity", &mut style.stroke)] {
             match get(name).and_then(|text| text.parse::<f64>().ok()) {
-                Some(0.0) => *paint = None,
+                Some(0.0) => *paint = Ink::None,
                 Some(n) if n < 1.0 => _ = self.unknown.insert(format!("the attribute `{name}`")),
                 _ => {}
             }
@@ -432,16 +499,22 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
             Some(other) => _ = self.unknown.insert(format!("the join `{other}`")),
             None => {}
         }
-        let number = |name: &str| get(name).and_then(|text| self.length(text, 2));
-        style.width = number("stroke-width").unwrap_or(style.width);
-        style.miter_limit = number("stroke-miterlimit").unwrap_or(style.miter_limit);
+        let number = |name: &str| get(name).and_then(|text| length(text, 2, inherited.whole));
+        style.width = number("stroke-width").filter(|n| *n >= 0.0).unwrap_or(style.width);
+        style.miter_limit = number("stroke-miterlimit").filter(|n| *n >= 1.0).unwrap_or(style.miter_limit);
         style.phase = number("stroke-dashoffset").unwrap_or(style.phase);
+        style.is_fixed = get("vector-effect") == Some("non-scaling-stroke");
         if let Some(text) = get("stroke-dasharray") {
-            let lengths = LengthListParser::from(text).flatten().map(|length| length.number * unit(length.unit));
-            style.dashes = if text == "none" { vec![] } else { lengths.collect() };
-            if style.dashes.iter().sum::<f64>() <= 0.0 {
+            let lengths: Result<Vec<Length>, _> = LengthListParser::from(text).collect();
+            let lengths = lengths.unwrap_or_default().into_iter().map(|length| units(length, 2, inherited.whole));
+            style.dashes = lengths.collect();
+            // A length below 0 is an error, and the outline solid.
+            if style.dashes.iter().sum::<f64>() <= 0.0 || style.dashes.iter().any(|&length| length < 0.0) {
                 style.dashes.clear();
             }
+        }
+        if !style.dashes.is_empty() && said.contains_key("pathLength") {
+            self.unknown.insert("the attribute `pathLength`".into());
         }
         match get("visibility") {
             Some("hidden" | "collapse") => style.is_visible = false,
@@ -451,15 +524,26 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         style
     }
 
-    fn paint(&mut self, text: Option<&str>, inherited: Option<Rgb888>, current: Rgb888) -> Option<Rgb888> {
+    fn paint(&mut self, text: Option<&str>, inherited: Ink) -> Ink {
         match text.map(Paint::from_str) {
-            Some(Ok(Paint::None)) => None,
-            Some(Ok(Paint::CurrentColor)) => Some(current),
-            Some(Ok(Paint::Color(color))) if color.alpha == 0 => None,
-            Some(Ok(Paint::Color(color))) => Some(rgb(color)),
-            Some(Ok(Paint::FuncIRI(id, _))) => {
+            Some(Ok(Paint::None)) => Ink::None,
+            Some(Ok(Paint::CurrentColor)) => Ink::Current,
+            Some(Ok(Paint::Color(color))) if color.alpha == 0 => Ink::None,
+            Some(Ok(Paint::Color(color))) => {
+                if color.alpha < u8::MAX {
+                    self.unknown.insert("colours that let something through".into());
+                }
+                Ink::Color(rgb(color))
+            }
+            Some(Ok(Paint::FuncIRI(id, otherwise))) => {
                 self.unknown.insert("gradients and patterns".into());
-                Some(self.first_stop(id).unwrap_or(Rgb888::new(128, 128, 128)))
+                match (self.first_stop(id, 0), otherwise) {
+                    (Some(color), _) => Ink::Color(color),
+                    (None, Some(PaintFallback::None)) => Ink::None,
+                    (None, Some(PaintFallback::CurrentColor)) => Ink::Current,
+                    (None, Some(PaintFallback::Color(color))) => Ink::Color(rgb(color)),
+                    (None, None) => Ink::Color(Rgb888::new(128, 128, 128)),
+                }
             }
             None | Some(Ok(Paint::Inherit | Paint::ContextFill | Paint::ContextStroke)) => inherited,
             Some(Err(_)) => {
@@ -469,13 +553,92 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         }
     }
 
-    /// The first colour of a gradient.
-    fn first_stop(&self, id: &str) -> Option<Rgb888> {
-        let gradient = self.document.descendants().find(|node| node.attribute("id") == Some(id))?;
-        let stop = gradient.children().find(|node| node.tag_name().name() == "stop")?;
+    /// The first colour of a gradient, or of the one that it refers to.
+    fn first_stop(&self, id: &str, depth: usize) -> Option<Rgb888> {
+        let gradient = self.ids.get(id)?;
+        let Some(stop) = gradient.children().find(|node| node.tag_name().name() == "stop") else {
+            let href = gradient.attributes().find(|attribute| attribute.name() == "href")?.value();
+            return if depth < DEPTH { self.first_stop(href.strip_prefix('#')?, depth + 1) } else { None };
+        };
         let said = self.said(stop);
         Color::from_str(said.get("stop-color")?).ok().map(rgb)
     }
+}
+
+/// A length in the units of the file; of a per cent, the share of the width, of the height, or of a mean of both.
+fn length(text: &str, axis: usize, whole: [f64; 2]) -> Option<f64> {
+    let length = Length::from_str(text.trim()).ok()?;
+    Some(units(length, axis, whole))
+}
+
+fn units(length: Length, axis: usize, whole: [f64; 2]) -> f64 {
+    let of = match (length.unit, axis) {
+        (LengthUnit::Percent, 0 | 1) => whole[axis],
+        (LengthUnit::Percent, _) => whole[0].hypot(whole[1]) / 2_f64.sqrt(),
+        _ => 1.0,
+    };
+    length.number * unit(length.unit) * of
+}
+
+/// The path data of a shape; `None` if it is none.
+fn data(name: &str, said: &BTreeMap<String, String>, whole: [f64; 2]) -> Option<String> {
+    let number = |name: &str, axis: usize| said.get(name).and_then(|text| length(text, axis, whole));
+    let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
+    let [cx, cy] = [("cx", 0), ("cy", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
+    let ellipse = |rx: f64, ry: f64| {
+        if rx <= 0.0 || ry <= 0.0 {
+            return String::new();
+        }
+        let d = 2.0 * rx;
+        format!("M{:.9} {cy:.9}a{rx:.9} {ry:.9} 0 1 1 -{d:.9} 0a{rx:.9} {ry:.9} 0 1 1 {d:.9} 0z", cx + rx)
+    };
+    let points = || {
+        let points = PointsParser::from(said.get("points").map_or("", String::as_str));
+        let text = points.map(|(x, y)| format!("{x:.9},{y:.9}")).collect::<Vec<_>>().join(" ");
+        if text.is_empty() {
+            text
+        } else {
+            format!("M{text}")
+        }
+    };
+    Some(match name {
+        "path" => said.get("d").filter(|data| data.trim() != "none").cloned().unwrap_or_default(),
+        "circle" => {
+            let r = number("r", 2).unwrap_or(0.0);
+            ellipse(r, r)
+        }
+        "ellipse" => {
+            // One alone stands for both.
+            let (rx, ry) = (number("rx", 0), number("ry", 1));
+            ellipse(rx.or(ry).unwrap_or(0.0), ry.or(rx).unwrap_or(0.0))
+        }
+        "line" => {
+            let [a, b] = [("x1", 0), ("y1", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
+            let [c, d] = [("x2", 0), ("y2", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
+            format!("M{a:.9} {b:.9}L{c:.9} {d:.9}")
+        }
+        "polyline" => points(),
+        "polygon" => points() + if points().is_empty() { "" } else { "z" },
+        "rect" => {
+            let [w, h] = [("width", 0), ("height", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
+            if w <= 0.0 || h <= 0.0 {
+                return Some(String::new());
+            }
+            let (rx, ry) = (number("rx", 0), number("ry", 1));
+            let rx = rx.or(ry).unwrap_or(0.0).clamp(0.0, w / 2.0);
+            let ry = ry.or(number("rx", 0)).unwrap_or(0.0).clamp(0.0, h / 2.0);
+            if rx == 0.0 || ry == 0.0 {
+                return Some(format!("M{x:.9} {y:.9}h{w:.9}v{h:.9}h-{w:.9}z"));
+            }
+            let (a, b) = (w - 2.0 * rx, h - 2.0 * ry);
+            let arc = format!("a{rx:.9} {ry:.9} 0 0 1 ");
+            format!(
+                "M{:.9} {y:.9}h{a:.9}{arc}{rx:.9} {ry:.9}v{b:.9}{arc}-{rx:.9} {ry:.9}h-{a:.9}{arc}-{rx:.9} -{ry:.9}v-{b:.9}{arc}{rx:.9} -{ry:.9}z",
+                x + rx
+            )
+        }
+        _ => return None,
+    })
 }
 
 #[cfg(test)]
@@ -543,11 +706,149 @@ mod tests {
         assert_eq!(unknown("<path d='M2 2h5v5z' opacity='.5'/>"), "the attribute `opacity`");
         assert_eq!(unknown("<path d='M2 2h5v5z' clip-path='url(#x)'/>"), "the attribute `clip-path`");
         assert_eq!(unknown("<use href='#nothing'/>"), "a `use` of something that is not there");
-        let (pixels, unknown) = drawn("<path d='M2 2h5v5L9 x'/>");
-        assert_eq!((pixels.len(), &unknown.join("; ")[..]), (15, "path data: position 11: a number is expected"));
+        assert_eq!(unknown("<g fill='rgba(0,0,0,.5)'/>"), "colours that let something through");
+        assert_eq!(unknown("<path d='M2 2h9' stroke-dasharray='1' pathLength='4'/>"), "the attribute `pathLength`");
+        assert_eq!(unknown("<style>g > path { fill: red }</style>"), "the selector `g > path`");
         assert!(File::parse("<html/>").is_err_and(|error| error == "`html` is no SVG"));
         assert!(File::parse("<svg").is_err_and(|error| !error.contains('\n')));
-        let deep = "<g id='a'><use href='#a'/></g>";
-        assert_eq!(drawn(deep).1, ["a `use` of something that is not there"], "a circle of references ends");
+        let circle = "<g id='a'><use href='#a'/></g>";
+        assert_eq!(drawn(circle).1, ["a `use` of something that is not there"], "a circle of references ends");
+    }
+
+    #[test]
+    fn data_is_drawn_as_far_as_it_makes_sense() {
+        let text = "<svg viewBox='0 0 20 20'>\n<path d='M2 2h5v5L9 x'/><path d='none'/>\n<path d='L2 2'/></svg>";
+        let mut file = File::parse(text).expect("an SVG file");
+        let errors = [
+            "line 2: path data: position 11: a number is expected",
+            "line 3: path data: position 0: a path begins with M",
+        ];
+        assert_eq!(file.errors, errors);
+        let shapes = file.shapes(SIZE, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], I24F8::ZERO);
+        assert_eq!(shapes.iter().map(|shape| shape.path.len()).collect::<Vec<_>>(), [3, 0, 0]);
+    }
+
+    const SQUARE: &str = "<path d='M5 5h5v5h-5z'/>";
+
+    #[test]
+    fn parts_of_the_plane_lie_on_areas() {
+        // Half as large in an area of 10 x 10 pixels, from 5, 5 on.
+        for inner in [
+            "<svg x='5' y='5' width='10' height='10' viewBox='0 0 20 20'><path d='M0 0h10v10h-10z'/></svg>",
+            "<svg x='25%' y='25%' width='50%' height='50%' viewBox='0 0 40 40'><rect width='50%' height='50%'/></svg>",
+            "<defs><symbol id='s' viewBox='10 10 20 20'><path d='M10 10h10v10h-10z'/></symbol></defs>
+             <use href='#s' x='25%' y='5' width='10' height='10'/>",
+            "<symbol id='s'><rect width='5' height='5'/></symbol><use href='#s' x='5' y='5'/>",
+            // In an area that is wider, in the middle, at its start and its end; without a margin; and one that is filled.
+            "<svg y='5' width='20' height='10' viewBox='0 0 2 2'><path d='M0 0h1v1h-1z'/></svg>",
+            "<svg x='5' y='5' width='15' height='10' viewBox='0 0 2 2' preserveAspectRatio='xMinYMin'><path d='M0 0h1v1h-1z'/></svg>",
+            "<svg x='-5' y='5' width='20' height='10' viewBox='0 0 2 2' preserveAspectRatio='xMaxYMax'><path d='M0 0h1v1h-1z'/></svg>",
+            "<svg x='5' y='5' width='10' height='5' viewBox='0 0 2 1' preserveAspectRatio='none'><path d='M0 0h1v1h-1z'/></svg>",
+            "<svg x='5' y='5' width='5' height='2' viewBox='0 0 5 5' preserveAspectRatio='xMinYMin slice'><rect width='5' height='5'/></svg>",
+        ] {
+            same(inner, SQUARE);
+        }
+        let text = "<svg width='40' height='20' viewBox='0 0 10 10' preserveAspectRatio='none'><path d='M0 0h10v10h-10z'/></svg>";
+        let mut file = File::parse(text).expect("an SVG file");
+        let shapes = file.shapes((40, 20), [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], I24F8::ZERO);
+        assert_eq!(shapes[0].path[2], PathSegment::LineTo(embedded_raster::PointFx::px(40, 20)), "the root, too");
+    }
+
+    #[test]
+    fn lengths_are_those_of_their_unit() {
+        let text = "<svg width='40' height='20'><rect x='50%' y='50%' width='1.5pt' height='10%' ry='0'/></svg>";
+        let file = File::parse(text).expect("an SVG file");
+        assert_eq!(file.data().next(), Some("M20.000000000 10.000000000h2.000000000v2.000000000h-2.000000000z"));
+        let dashed =
+            |dashes: &str| format!("<path d='M0 10h20' stroke='red' stroke-width='2' stroke-dasharray='{dashes}'/>");
+        same(&dashed("10%"), &dashed("2"));
+        same(&dashed("4 -2"), &dashed("none"));
+        same("<ellipse cx='9' cy='9' rx='7'/>", "<circle cx='9' cy='9' r='7'/>");
+        same(
+            "<path d='M2 4h4' transform='scale(2.5)' stroke='red' vector-effect='non-scaling-stroke' stroke-width='4'/>",
+            "<path d='M5 10h10' stroke='red' stroke-width='4'/>",
+        );
+    }
+
+    #[test]
+    fn style_sheets_count_by_weight_and_order() {
+        let styled =
+            |sheet: &str| format!("<style>{sheet}</style><path id='i' class='a b' d='M5 5h5v5h-5z'/><circle r='5'/>");
+        for sheet in [
+            "circle { fill: none }",
+            "/* a { */ circle, g { fill: none } /* } */",
+            "<![CDATA[ circle { fill: none } ]]>",
+            "* { fill: none } #i { fill: red }",
+            "#i { fill: red } * { fill: none }",
+            ".b { fill: none } .a { fill: red } circle { fill: none }",
+            "path.b.a { fill: red } .b { fill: none } circle { fill: none }",
+            ".b { fill: red !important } #i { fill: none } circle { fill: none }",
+        ] {
+            same(&styled(sheet), SQUARE);
+        }
+        same("<g fill='currentColor' color='none'><path color='red' d='M5 5h5v5h-5z'/></g>", SQUARE);
+        let marked = "<path xmlns:x='urn:x' x:d='M0 0h9v9' x:fill='none' x:transform='scale(3)' d='M5 5h5v5h-5z'/>";
+        same(marked, SQUARE);
+        same(
+            "<switch><g requiredExtensions='x'><circle r='9'/></g><path d='M5 5h5v5h-5z'/><circle r='9'/></switch>",
+            SQUARE,
+        );
+        same("<linearGradient id='a' href='#b'/><path d='M5 5h5v5h-5z' fill='red'/>", SQUARE);
+    }
+
+    /// Numbers of 16.16 are too few for maps of the world in metres, and for view boxes that are much larger than the screen.
+    #[test]
+    fn large_and_small_units_are_as_good() {
+        let path = "M5 5C6 1 13 2 15 5s-3.5 6-1 9q4 2-1 3t-6-2A5 3 20 0 1 4 11z";
+        let stroke = "stroke='red' stroke-width='1.5'";
+        let expected = drawn(&format!("<path d='{path}' {stroke}/>")).0;
+        for (scale, x, y) in [(1e5, 0.0, 0.0), (3e-4, 0.0, 0.0), (1.0, 5e5, -6e6), (700.0, 1e7, 2e7), (1e-3, 8e3, -3e3)]
+        {
+            let map = Transform::new(scale, 0.0, 0.0, scale, x, y);
+            let data = numbers::scaled(path, scale, (-x / scale, -y / scale));
+            let text = format!(
+                "<svg viewBox='{x} {y} {0} {0}'><path d='{data}' stroke='red' stroke-width='{1}'/></svg>",
+                20.0 * map.a,
+                1.5 * map.a
+            );
+            let mut file = File::parse(&text).expect("an SVG file");
+            let shapes = file.shapes(SIZE, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], I24F8::ZERO);
+            let screen = Screen { width: 20, height: 20, bits: 24, band: 20, slots: 999, paper: Rgb888::WHITE };
+            let picture = draw(&shapes, &screen).expect("enough slots").picture;
+            let all = (0..20).flat_map(|y| (0..20).map(move |x| [x, y]));
+            let pixels: Vec<_> = all.filter(|&[x, y]| picture.color(x, y) != Some(Rgb888::WHITE)).collect();
+            let differing = pixels.iter().filter(|at| !expected.contains(at)).count()
+                + expected.iter().filter(|at| !pixels.contains(at)).count();
+            assert!(differing <= 1, "{differing} pixels differ, units of {scale}, from {x}, {y}");
+        }
+    }
+
+    #[test]
+    fn files_that_are_not_meant_well_end() {
+        let nested = |n: usize| format!("{}{SQUARE}{}", "<g>".repeat(n), "</g>".repeat(n));
+        same(&nested(100), SQUARE);
+        same(
+            &format!("<defs><g id='s'>{SQUARE}</g></defs>{}<use href='#s'/>{}", "<g>".repeat(40), "</g>".repeat(40)),
+            SQUARE,
+        );
+        assert_eq!(drawn(&nested(600)).1, ["what lies in 512 elements and more"]);
+        let mut many = format!("<defs><g id='u0'>{SQUARE}</g>");
+        for i in 1..16 {
+            many += &format!("<g id='u{i}'>{}</g>", format!("<use href='#u{}'/>", i - 1).repeat(9));
+        }
+        let text = format!("<svg>{many}</defs><use href='#u15'/></svg>");
+        assert!(File::parse(&text).expect("an SVG file").unknown.contains("what comes after 67108864 bytes of paths"));
+        for root in [
+            "width='0' height='0'",
+            "width='-4' height='3e99'",
+            "viewBox='0 0 0 0'",
+            "viewBox='0 0 1e-300 1e300'",
+            "viewBox='1e300 0 3 3'",
+        ] {
+            let text = format!("<svg {root}><g transform='scale(1e300) scale(1e300 0)'>{SQUARE}</g><path stroke='red' d='M1 1h1e30'/></svg>");
+            let mut file = File::parse(&text).expect("an SVG file");
+            let size = file.size();
+            assert!(!file.shapes(size, [1.0, 0.0, 0.0, 1.0, 0.0, 0.0], I24F8::ZERO).is_empty(), "{root}");
+        }
     }
 }

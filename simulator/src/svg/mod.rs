@@ -11,8 +11,10 @@
 //! * [`draw`]: shapes, one over the other, and what it took.
 
 mod file;
+mod numbers;
 mod pack;
 mod scene;
+mod sheet;
 mod tone;
 
 pub use file::File;
