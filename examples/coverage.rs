@@ -4,7 +4,12 @@
 //! The path is written as in SVG. Bands, strips and clips change nothing of what is drawn: they are here to see that.
 #![allow(clippy::cast_precision_loss, reason = "a sum of levels, shown with three digits")]
 
-use std::{error::Error, fs, process::ExitCode};
+use std::{
+    error::Error,
+    fs::File,
+    io::{self, Write},
+    process::ExitCode,
+};
 
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_raster::{
@@ -25,6 +30,9 @@ usage: coverage --path DATA [--size WxH] [--fill nonzero|evenodd] [--out FILE.pg
 --clip X0,Y0,X1,Y1  draws in this rectangle only: the pixels in it are the same, all others are 0
 ";
 
+/// Bytes of pixels that are drawn at once, at most.
+const MEMORY: usize = 1 << 24;
+
 fn main() -> ExitCode {
     finish("coverage", run(lexopt::Parser::from_env()))
 }
@@ -35,16 +43,19 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         return Ok(USAGE.into());
     };
     let path = Path::svg(options.path.as_deref().ok_or("--path is missing; --help tells the rest")?)?;
-    let levels = options.draw(path)?;
     let (width, height) = options.size;
-    let file = [format!("P5\n{width} {height}\n255\n").as_bytes(), &levels].concat();
-    fs::write(&options.out, file).map_err(|error| format!("{}: {error}", options.out))?;
-    let sum: u64 = levels.iter().map(|&level| u64::from(level)).sum();
-    let (mut full, mut partly) = (0, 0);
-    for level in &levels {
-        full += u32::from(*level == u8::MAX);
-        partly += u32::from((1..u8::MAX).contains(level));
-    }
+    let named = |error: io::Error| format!("{}: {error}", options.out);
+    let mut file = File::create(&options.out).map_err(named)?;
+    write!(file, "P5\n{width} {height}\n255\n").map_err(named)?;
+    let (mut sum, mut full, mut partly) = (0, 0_u32, 0_u32);
+    options.draw(path, |levels| {
+        for &level in levels {
+            sum += u64::from(level);
+            full += u32::from(level == u8::MAX);
+            partly += u32::from((1..u8::MAX).contains(&level));
+        }
+        file.write_all(levels).map_err(|error| named(error).into())
+    })?;
     Ok(format!(
         "{}: {width} x {height}, {full} pixels covered, {partly} in part, {:.3} in all\n",
         options.out,
@@ -91,16 +102,23 @@ impl Options {
         Ok(Some(options))
     }
 
-    /// The picture, row by row.
-    fn draw(&self, path: Svg<'_>) -> Result<Vec<u8>, Box<dyn Error>> {
+    /// The picture, row by row: a few at a time, in the same memory.
+    fn draw(
+        &self,
+        path: Svg<'_>,
+        mut each: impl FnMut(&[u8]) -> Result<(), Box<dyn Error>>,
+    ) -> Result<(), Box<dyn Error>> {
         let (width, height) = self.size;
-        let mut levels = vec![0; usize::from(width) * usize::from(height)];
+        let most = (MEMORY / usize::from(width)).max(1);
+        let rows = self.band.min(height).min(u16::try_from(most).unwrap_or(u16::MAX));
+        let mut levels = vec![0; usize::from(width) * usize::from(rows)];
         let mut cells = vec![0; coverage::cells(self.strip.min(width))];
         let mut table = vec![CoverageSlot::EMPTY; 256];
-        for start in (0..height).step_by(self.band.into()) {
-            let end = start.saturating_add(self.band).min(height);
-            let rows = usize::from(start) * usize::from(width)..usize::from(end) * usize::from(width);
-            let mut frame = Framebuffer::<Gray8>::band(&mut levels[rows], width, height, start..end)?;
+        for start in (0..height).step_by(rows.into()) {
+            let end = start.saturating_add(rows).min(height);
+            let levels = &mut levels[..usize::from(width) * usize::from(end - start)];
+            levels.fill(0);
+            let mut frame = Framebuffer::<Gray8>::band(&mut *levels, width, height, start..end)?;
             let paint = Cover(Gray8::new(255));
             let mut frame = frame.clipped(self.clip);
             // A table that is too small for one row says what is enough for all.
@@ -110,8 +128,9 @@ impl Options {
                 }
                 table.resize(error.enough, CoverageSlot::EMPTY);
             }
+            each(levels)?;
         }
-        Ok(levels)
+        Ok(())
     }
 }
 
@@ -147,7 +166,13 @@ mod tests {
     fn drawn(arguments: &[&str]) -> Vec<u8> {
         let options = Options::parse(lexopt::Parser::from_args(arguments)).expect("right arguments").expect("no help");
         let path = Path::svg(options.path.as_deref().expect("a path")).expect("a right path");
-        options.draw(path).expect("a picture")
+        let mut picture = vec![];
+        let keep = |levels: &[u8]| {
+            picture.extend_from_slice(levels);
+            Ok(())
+        };
+        options.draw(path, keep).expect("a picture");
+        picture
     }
 
     /// A star with a hole, a ring of curves and arcs, and something beyond the picture on all sides.
