@@ -48,7 +48,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
             Long("input") => input = Some(arguments.value()?.string()?),
             Long("colors") => source = arguments.value()?.parse_with(parse_colors)?,
             Long("palette") => source = arguments.value()?.parse_with(Source::parse)?,
-            Long("constant") => constant = Some(arguments.value()?.string()?),
+            Long("constant") => constant = Some(arguments.value()?.parse_with(parse_constant)?),
             Long("out" | "output") => out = arguments.value()?.string()?,
             Short('h') | Long("help") => return Ok(USAGE.into()),
             _ => return Err(argument.unexpected().into()),
@@ -121,6 +121,12 @@ fn parse_colors(text: &str) -> Result<Source, &'static str> {
     }
 }
 
+fn parse_constant(text: &str) -> Result<String, &'static str> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let is_name = text.chars().all(is_part) && text.starts_with(|c: char| !c.is_ascii_digit());
+    is_name.then(|| text.into()).ok_or("--constant takes a name such as SUNSET")
+}
+
 /// A ball with a light on it, in front of a sky.
 fn ball() -> Picture {
     let size = 96.0_f32;
@@ -154,8 +160,12 @@ where
 {
     let palette: Palette<Rgb888, N> =
         Palette::new(std::array::from_fn(|index| *colors.get(index).unwrap_or(&colors[0])));
-    let (width, height) = (u16::try_from(picture.width())?, u16::try_from(picture.height())?);
-    let size = (width.checked_mul(3).ok_or("the picture is too wide")?, height.checked_mul(2).ok_or("too high")?);
+    let side = |n: usize, panels: u16| u16::try_from(n).ok().filter(|&n| n <= u16::MAX / panels);
+    let (Some(width), Some(height)) = (side(picture.width(), 3), side(picture.height(), 2)) else {
+        let (width, height) = (picture.width(), picture.height());
+        return Err(format!("the picture is {width} x {height}: six panels take 21845 x 32767 at most").into());
+    };
+    let size = (3 * width, 2 * height);
     let mut ram = vec![0; embedded_raster::buffer_bytes::<C>(size.0, size.1)];
     let mut frame = Framebuffer::<C>::new(&mut ram[..], size.0, size.1)?;
     let cube = ColorCube::<32_768>::new(&palette);
@@ -253,11 +263,19 @@ mod tests {
     }
 
     #[test]
+    fn pictures_that_are_too_wide_are_told_with_their_size() {
+        let wide = Picture::from_colors(21_846, 1, vec![Rgb888::WHITE; 21_846]);
+        let error = draw(&wide, &[Rgb888::WHITE]).expect_err("too wide").to_string();
+        assert_eq!(error, "the picture is 21846 x 1: six panels take 21845 x 32767 at most");
+    }
+
+    #[test]
     fn wrong_arguments_are_told_in_a_line() {
         for (arguments, expected) in [
             ("--palette auto:1", r#"cannot parse argument "auto:1": --palette auto:N takes 2 to 256"#),
             ("--palette no-such.gpl", "no-such.gpl: "),
             ("--palette Cargo.toml", "Cargo.toml: line 1 is no colour"),
+            ("--constant 3D", r#"cannot parse argument "3D": --constant takes a name such as SUNSET"#),
             ("--colors 3", r#"cannot parse argument "3": --colors takes 2 or 16"#),
             ("--input Cargo.toml", "Cargo.toml: "),
         ] {

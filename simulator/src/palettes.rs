@@ -27,7 +27,7 @@ pub enum PaletteError {
     NoEntry {
         /// Its number, from 1.
         line: usize,
-        /// What it says.
+        /// How it begins.
         text: String,
     },
     /// The file names another number of entries than it has.
@@ -59,6 +59,9 @@ impl fmt::Display for PaletteError {
 
 impl Error for PaletteError {}
 
+/// How much of a line that is no entry an error repeats, in characters.
+const MOST: usize = 24;
+
 /// The colours of a file, 1 to 256. What kind it is shows in how it begins.
 ///
 /// # Errors
@@ -66,6 +69,7 @@ impl Error for PaletteError {}
 /// See [`PaletteError`].
 pub fn parse(file: &[u8]) -> Result<Vec<Rgb888>, PaletteError> {
     let text = str::from_utf8(file).ok().filter(|text| !text.contains('\0'));
+    let text = text.map(|text| text.strip_prefix('\u{feff}').unwrap_or(text));
     let colors = match text {
         Some(text) if text.starts_with("GIMP Palette") => gimp(text)?,
         Some(text) if text.starts_with("JASC-PAL") => jasc(text)?,
@@ -96,7 +100,10 @@ fn is_act(file: &[u8]) -> bool {
 }
 
 fn no_entry(number: usize, text: &str) -> PaletteError {
-    PaletteError::NoEntry { line: number + 1, text: text.trim_end().to_owned() }
+    // The start of it, on one line whatever is in it.
+    let start: String = text.trim_end().chars().take(MOST).flat_map(char::escape_debug).collect();
+    let rest = if text.trim_end().chars().nth(MOST).is_some() { "..." } else { "" };
+    PaletteError::NoEntry { line: number + 1, text: start + rest }
 }
 
 /// Three numbers at the start of a line, of 0 to 255.
@@ -114,8 +121,9 @@ fn hexadecimal(line: &str) -> Option<Rgb888> {
 }
 
 fn gimp(text: &str) -> Result<Vec<Rgb888>, PaletteError> {
-    let is_header = |line: &str| ["Name:", "Columns:", "#"].iter().any(|word| line.starts_with(word));
-    let entries = text.lines().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty() && !is_header(line));
+    let is_header = |line: &str| ["Name:", "Columns:", "Channels:", "#"].iter().any(|word| line.starts_with(word));
+    let entries =
+        text.lines().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty() && !is_header(line.trim_start()));
     entries.map(|(number, line)| decimal(line).ok_or_else(|| no_entry(number, line))).collect()
 }
 
@@ -160,7 +168,15 @@ mod tests {
     fn every_format_gives_its_colors() {
         let gimp = "GIMP Palette\r\nName: Three\r\nColumns: 3\r\n# by nobody\r\n0 0 0\tblack\r\n255 128   1 Untitled\r\n  9  20 255\r\n";
         let jasc = "JASC-PAL\r\n0100\r\n3\r\n0 0 0\r\n255 128 1\r\n9 20 255\r\n";
-        for text in [gimp, jasc, "000000\nFF8001\n0914ff", "#000000\r\n#ff8001\r\n#0914ff\r\n\r\n"] {
+        let aseprite = "GIMP Palette\nChannels: RGBA\n  # by nobody\n 0 0 0 255 a\n255 128 1 255 b\n9 20 255 255 c\n";
+        for text in [
+            gimp,
+            jasc,
+            aseprite,
+            "\u{feff}000000\nFF8001\n0914ff",
+            "000000\nFF8001\n0914ff",
+            "#000000\r\n#ff8001\r\n#0914ff\r\n\r\n",
+        ] {
             assert_eq!(parse(text.as_bytes()).as_deref(), Ok(&THREE[..]), "{text}");
         }
         let mut act = vec![0; 768];
@@ -177,6 +193,10 @@ mod tests {
         assert_eq!(error("JASC-PAL\n0100\n2\n1 2 3\n"), "the file names 2 colours and has 1");
         assert_eq!(error("JASC-PAL\n0100\nmany\n"), "line 3 is no colour: `many`");
         assert_eq!(error("ff8000\nff80\n"), "line 2 is no colour: `ff80`");
+        assert_eq!(
+            error("ff8000\n\u{1b}[31m and more of it, for long"),
+            "line 2 is no colour: `\\u{1b}[31m and more of it, fo...`"
+        );
         assert_eq!(error(&"010203\n".repeat(257)), "257 colours, and an index reaches 256");
         assert_eq!(error(""), PaletteError::Empty.to_string());
         assert_eq!(parse(&[0xff; 700]), Err(PaletteError::Empty));

@@ -54,13 +54,14 @@ impl Picture {
         let mut reader = decoder.read_info().map_err(bad)?;
         let info = reader.info();
         // Indices do not tell how much they let through: with transparency they become colours.
-        let palette = info.palette.as_deref().filter(|_| info.color_type == ColorType::Indexed && info.trns.is_none());
+        let is_plain = info.color_type == ColorType::Indexed && info.trns.is_none();
+        let palette = info.palette.as_deref().filter(|palette| is_plain && palette.len() >= 3);
         let Some(palette) = palette.map(colors) else {
             drop(reader);
             source.seek(io::SeekFrom::Start(start))?;
             return Self::colors_of_png(source);
         };
-        let mut data = vec![0; reader.output_buffer_size().unwrap_or_default()];
+        let mut data = vec![0; room(reader.output_buffer_size())?];
         let frame = reader.next_frame(&mut data).map_err(bad)?;
         let (width, height, bits) = (frame.width as usize, frame.height as usize, frame.bit_depth as u8);
         Ok(Self::from_indices(width, height, bits, palette, unpacked(&data, width, bits)))
@@ -72,7 +73,7 @@ impl Picture {
         let mut decoder = Decoder::new(source);
         decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
         let mut reader = decoder.read_info().map_err(bad)?;
-        let mut data = vec![0; reader.output_buffer_size().unwrap_or_default()];
+        let mut data = vec![0; room(reader.output_buffer_size())?];
         let frame = reader.next_frame(&mut data).map_err(bad)?;
         data.truncate(frame.buffer_size());
         let colors = match frame.color_type {
@@ -84,6 +85,14 @@ impl Picture {
         };
         Ok(Self::from_colors(frame.width as usize, frame.height as usize, colors))
     }
+}
+
+/// The bytes that a picture takes. The head of a file may ask for more than there is.
+fn room(bytes: Option<usize>) -> io::Result<usize> {
+    const MOST: usize = 1 << 30;
+    let bytes = bytes.unwrap_or(usize::MAX);
+    let fits = Some(bytes).filter(|&bytes| bytes <= MOST);
+    fits.ok_or_else(|| io::Error::new(io::ErrorKind::InvalidData, format!("{bytes} bytes of pixels, more than {MOST}")))
 }
 
 /// A colour that covers so many parts of 255 of a white ground.
@@ -212,5 +221,22 @@ mod tests {
         let empty = Picture::from_colors(0, 3, vec![]).to_png().map_err(|error| error.kind());
         assert_eq!(empty, Err(io::ErrorKind::InvalidInput), "no pixels");
         assert!(Picture::from_png(Cursor::new(b"GIF89a")).is_err(), "another format");
+        let mut file = Picture::from_colors(2, 1, vec![Rgb888::WHITE; 2]).to_png().expect("it has pixels");
+        // Columns and rows, and the check sum of the head.
+        file[16..24].copy_from_slice(&[0, 0xff, 0xff, 0xff, 0, 0xff, 0xff, 0xff]);
+        let sum = crc32(&file[12..29]).to_be_bytes();
+        file[29..33].copy_from_slice(&sum);
+        let error = Picture::from_png(Cursor::new(file)).map_err(|error| error.to_string());
+        assert_eq!(
+            error,
+            Err("844424829468675 bytes of pixels, more than 1073741824".into()),
+            "a head that asks for too much"
+        );
+    }
+
+    fn crc32(bytes: &[u8]) -> u32 {
+        let step = |crc: u32, bit: bool| (crc >> 1) ^ if (crc & 1 != 0) == bit { 0 } else { 0xedb8_8320 };
+        let bits = bytes.iter().flat_map(|byte| (0..8).map(move |bit| byte >> bit & 1 != 0));
+        !bits.fold(u32::MAX, step)
     }
 }
