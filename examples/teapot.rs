@@ -294,7 +294,7 @@ impl Options {
                 Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
                 Long("frames") => options.frames = arguments.value()?.parse_with(parse_count)?,
                 Long("band") => options.band = Some(arguments.value()?.parse_with(parse_count)?),
-                Long("out") => {
+                Long("out" | "output") => {
                     let out = arguments.value()?;
                     options.kind = out.parse_with(parse_kind)?;
                     options.out = out.string()?;

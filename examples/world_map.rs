@@ -21,12 +21,12 @@ use embedded_raster_simulator::{
 
 const USAGE: &str = "\
 usage: world_map [--bits 1|2|4|8|16|24|32] [--size WxH] [--projection equirectangular|robinson|miller]
-                 [--antialias] [--band ROWS] [--input FILE] [--output FILE.png] [--window]
+                 [--antialias] [--band ROWS] [--input FILE] [--out FILE.png] [--window]
 
 --antialias        soft rims, at 16, 24 or 32 bits: what countries cover of a pixel is added up, so there is no seam between them
 --band ROWS        draws the screen in bands of that many rows: the same picture with less memory
 --input FILE       another map: `country NAME`, then lines `ring X,Y X,Y ...` in hundredths of a degree
---output FILE.png  where the picture goes; world_map.png unless told
+--out FILE.png     where the picture goes; world_map.png unless told
 --window           shows it: D depth, P projection, L layer, C cycles the palette, Esc quits";
 
 /// Edges of the scratch table, at 32 bytes each. No row crosses more than 24 of one country and 80 of all together; where a
@@ -255,7 +255,7 @@ impl Options {
                 Long("projection") => options.screen.projection = arguments.value()?.parse_with(parse_projection)?,
                 Long("band") => options.band = Some(arguments.value()?.parse_with(parse_rows)?),
                 Long("input") => options.input = Some(arguments.value()?.string()?),
-                Long("output") => options.output = arguments.value()?.string()?,
+                Long("out" | "output") => options.output = arguments.value()?.string()?,
                 Long("window") => options.window = true,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
@@ -314,7 +314,7 @@ mod tests {
             ("map.txt", r#"unexpected argument "map.txt""#),
             ("--input no-such-file.txt", "no-such-file.txt: "),
             ("--input assets/paint-demo.txt", "assets/paint-demo.txt: line 4: `palette` is neither"),
-            ("--output /no/such/folder/x.png", "/no/such/folder/x.png: "),
+            ("--out /no/such/folder/x.png", "/no/such/folder/x.png: "),
         ] {
             let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
             assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");

@@ -185,7 +185,7 @@ impl Options {
                 Long("size") => options.size = arguments.value()?.parse_with(parse_size)?,
                 Long("frames") => options.frames = arguments.value()?.parse_with(parse_frames)?,
                 Long("band") => options.band = Some(arguments.value()?.parse_with(parse_rows)?),
-                Long("out") => options.out = arguments.value()?.string()?,
+                Long("out" | "output") => options.out = arguments.value()?.string()?,
                 Long("window") => options.window = true,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),

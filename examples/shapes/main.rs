@@ -20,9 +20,9 @@ use embedded_raster_simulator::{finish, Picture};
 use page::{Ink, COLORS, EDGES, HEIGHT, WIDTH};
 
 const USAGE: &str = "\
-usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS] [--output FILE.png]
+usage: shapes [--bits 1|2|4|8|16|24|32] [--band ROWS] [--out FILE.png]
 
---output FILE.png  where the picture goes; shapes.png unless told
+--out FILE.png     where the picture goes; shapes.png unless told
 --band ROWS        draws in bands of that many rows: the same pixels with less memory, but for what reads the page (flood fills)";
 
 fn main() -> ExitCode {
@@ -37,7 +37,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
         match argument {
             Long("bits") => bits = arguments.value()?.parse_with(parse_bits)?,
             Long("band") => band = Some(arguments.value()?.parse_with(parse_rows)?),
-            Long("output") => output = arguments.value()?.string()?,
+            Long("out" | "output") => output = arguments.value()?.string()?,
             Long("help") | Short('h') => return Ok(format!("{USAGE}\n")),
             _ => return Err(argument.unexpected().into()),
         }
@@ -135,7 +135,7 @@ mod tests {
             ("--bits", "missing argument for option '--bits'"),
             ("--size 3x3", "invalid option '--size'"),
             ("page.png", r#"unexpected argument "page.png""#),
-            ("--output /no/such/folder/x.png", "/no/such/folder/x.png: "),
+            ("--out /no/such/folder/x.png", "/no/such/folder/x.png: "),
         ] {
             let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
             assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");

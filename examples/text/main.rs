@@ -35,7 +35,8 @@ fn run(arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
     let Some(options) = Options::parse(arguments)? else { return Ok(USAGE.into()) };
     let file = options.font.as_ref().map(|path| fs::read(path).map_err(|error| format!("{path}: {error}")));
     let bytes = file.transpose()?;
-    let font = bytes.as_deref().map_or(Ok(FONT_8X13), Font::read)?;
+    let named = |error| format!("{}: {error}", options.font.as_deref().unwrap_or_default());
+    let font = bytes.as_deref().map_or(Ok(FONT_8X13), Font::read).map_err(named)?;
     let picture = options.draw(&font)?;
     picture.write_png(&options.out)?;
     picture.show(120);
@@ -142,7 +143,7 @@ mod tests {
             ("--turn 45", r#"cannot parse argument "45": --turn takes 0, 90, 180 or 270"#),
             ("--band 0", r#"cannot parse argument "0": --band takes 1 to 65535 rows"#),
             ("--font /no/such.erf", "/no/such.erf: "),
-            ("--font Cargo.toml", "not a font of this version"),
+            ("--font Cargo.toml", "Cargo.toml: not a font of this version"),
         ] {
             let error = run(lexopt::Parser::from_args(arguments.split(' '))).expect_err(arguments).to_string();
             assert!(error.starts_with(expected) && !error.contains('\n'), "{arguments}: {error}");

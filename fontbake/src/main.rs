@@ -42,7 +42,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<String, Box<dyn Error>> {
             Long("text") => wanted = Some(arguments.value()?.string()?.chars().collect()),
             Long("replacement") => replacement = arguments.value()?.parse()?,
             Long("out" | "output") => out = arguments.value()?.string()?,
-            Long("name") => name = arguments.value()?.string()?,
+            Long("name") => name = arguments.value()?.parse_with(parse_name)?,
             Short('h') | Long("help") => return Ok(USAGE.into()),
             _ => return Err(argument.unexpected().into()),
         }
@@ -70,6 +70,12 @@ fn read(path: &str, size: f32, wanted: Option<Vec<char>>, replacement: char) -> 
         return Ok(bdf::read(&file, wanted.as_deref(), replacement)?);
     }
     Ok(truetype::read(&file, size, &wanted.unwrap_or_else(chars::ascii), replacement)?)
+}
+
+fn parse_name(text: &str) -> Result<String, &'static str> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let is_name = text.chars().all(is_part) && text.starts_with(|c: char| !c.is_ascii_digit());
+    is_name.then(|| text.into()).ok_or("--name takes a name such as LARGE")
 }
 
 fn parse_size(text: &str) -> Result<f32, &'static str> {

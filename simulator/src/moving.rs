@@ -60,7 +60,7 @@ impl Options {
             match argument {
                 Long("size") => options.size = arguments.value()?.parse_with(parse_size)?,
                 Long("frames") => options.frames = arguments.value()?.parse_with(parse_count)?,
-                Long("out") => {
+                Long("out" | "output") => {
                     let out = arguments.value()?;
                     options.is_gif = out.parse_with(parse_kind)?;
                     options.out = out.string()?;

@@ -111,6 +111,16 @@ fn polygons_of_any_kind() {
     }
 }
 
+/// Some editors begin a file with a mark of its encoding.
+#[test]
+fn a_byte_order_mark_says_nothing() {
+    let text = "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf -3 -2 -1\r\n";
+    let mesh = Mesh::parse_obj(text.as_bytes()).expect("it is well-formed");
+    for start in ["\u{feff}", "\u{feff}# a triangle\r\n"] {
+        assert_eq!(Mesh::parse_obj(format!("{start}{text}").as_bytes()), Ok(mesh.clone()), "{start:?}");
+    }
+}
+
 #[test]
 fn normals_that_a_file_does_not_have() {
     let cube = obj("cube.obj").expect("it is well-formed");

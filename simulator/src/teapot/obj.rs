@@ -101,7 +101,7 @@ impl Mesh {
     /// ```
     pub fn parse_obj(text: &[u8]) -> Result<Self, ParseError> {
         let mut lists = Lists::default();
-        let text = String::from_utf8_lossy(text);
+        let text = String::from_utf8_lossy(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
         let mut end = 1;
         let mut lines = (1..).zip(text.lines());
         while let Some((line, first)) = lines.next() {
