@@ -13,6 +13,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use embedded_raster::{Affine, Cap, FillRule, Join, Path, PathSegment, Stroke, SvgError};
 use fixed::types::{I16F16, I24F8};
 use roxmltree::{Document, Node, ParsingOptions};
+use simplecss::{DeclarationTokenizer, StyleSheet};
 use svgtypes::{
     Align, AspectRatio, Color, Length, LengthListParser, LengthUnit, Paint, PaintFallback, PointsParser, Transform,
     ViewBox,
@@ -21,7 +22,7 @@ use svgtypes::{
 use super::{
     numbers,
     scene::{Outline, Shape},
-    sheet::{declarations, Sheet},
+    sheet::{self, Styled},
 };
 
 /// How deep `use` may refer to what refers to something.
@@ -147,7 +148,8 @@ impl File {
         if is_wrong {
             unknown.insert("the attribute `viewBox`".into());
         }
-        let sheet = Sheet::of(&document, &mut unknown);
+        let texts = sheet::texts(&document);
+        let sheet = sheet::rules(&texts, &mut unknown);
         let mut ids = HashMap::new();
         for node in document.descendants() {
             if let Some(id) = node.attribute("id") {
@@ -316,7 +318,7 @@ struct Reader<'a, 'input> {
     marks: Vec<Mark>,
     unknown: BTreeSet<String>,
     errors: Vec<String>,
-    sheet: Sheet,
+    sheet: StyleSheet<'a>,
     ids: HashMap<&'a str, Node<'a, 'input>>,
     /// What is left of [`MOST`].
     left: usize,
@@ -329,11 +331,12 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         let attributes = node.attributes().filter(|attribute| attribute.namespace().is_none());
         let mut all: BTreeMap<String, String> =
             attributes.map(|attribute| (attribute.name().into(), attribute.value().into())).collect();
-        let own = declarations(node.attribute("style").unwrap_or_default());
-        let said: Vec<_> = self.sheet.about(node).cloned().chain(own).collect();
+        let own = DeclarationTokenizer::from(node.attribute("style").unwrap_or_default());
+        let rules = self.sheet.rules.iter().filter(|rule| rule.selector.matches(&Styled(node)));
+        let said: Vec<_> = rules.flat_map(|rule| &rule.declarations).copied().chain(own).collect();
         for is_important in [false, true] {
-            let these = said.iter().filter(|declaration| declaration.is_important == is_important);
-            all.extend(these.map(|declaration| (declaration.name.clone(), declaration.value.clone())));
+            let these = said.iter().filter(|declaration| declaration.important == is_important);
+            all.extend(these.map(|declaration| (declaration.name.into(), declaration.value.into())));
         }
         all
     }
@@ -708,7 +711,9 @@ mod tests {
         assert_eq!(unknown("<use href='#nothing'/>"), "a `use` of something that is not there");
         assert_eq!(unknown("<g fill='rgba(0,0,0,.5)'/>"), "colours that let something through");
         assert_eq!(unknown("<path d='M2 2h9' stroke-dasharray='1' pathLength='4'/>"), "the attribute `pathLength`");
-        assert_eq!(unknown("<style>g > path { fill: red }</style>"), "the selector `g > path`");
+        let at_rule = "<style>@media print { path { fill: red } }</style>";
+        assert_eq!(unknown(at_rule), "rules of style sheets that begin with `@`");
+        assert_eq!(unknown("<style>path:{</style>"), "the style sheet `path:{`");
         assert!(File::parse("<html/>").is_err_and(|error| error == "`html` is no SVG"));
         assert!(File::parse("<svg").is_err_and(|error| !error.contains('\n')));
         let circle = "<g id='a'><use href='#a'/></g>";
@@ -781,6 +786,8 @@ mod tests {
             "* { fill: none } #i { fill: red }",
             "#i { fill: red } * { fill: none }",
             ".b { fill: none } .a { fill: red } circle { fill: none }",
+            "svg > circle { fill: none } g > path { fill: none }",
+            "path + circle { fill: none }",
             "path.b.a { fill: red } .b { fill: none } circle { fill: none }",
             ".b { fill: red !important } #i { fill: none } circle { fill: none }",
         ] {
