@@ -3,7 +3,7 @@
 use std::{io, path::Path, path::PathBuf, time::Duration};
 
 use super::{
-    host::{Happened, Host, WindowError},
+    host::{Hand, Happened, Host, WindowError},
     input::{Event, Input, Key, Keyboard, Mouse},
     inspector,
     recorder::{Kind, Recorder},
@@ -143,38 +143,44 @@ impl<'a> Desk<'a> {
         if !happened.is_active {
             self.keyboard.let_go(&mut input);
         }
-        self.look(&happened);
+        let pointer = happened.mouse.last().map_or(self.pointer.0, |hand| hand.at);
         for key in own_keys(&mut input) {
-            self.key(host, key, &happened);
+            self.key(host, key, pointer, &happened);
         }
-        let [left, _, right] = happened.buttons;
-        let at = self.view.placed(&self.shown.picture, happened.size).pixel(happened.mouse);
-        input.events.extend(self.mouse.go(Mouse { at, left, right }));
-        (input.mouse, input.has_left) = (at, left);
+        for hand in &happened.mouse {
+            self.look(hand, happened.size);
+            let [left, _, right] = hand.buttons;
+            let at = self.view.placed(&self.shown.picture, happened.size).pixel(hand.at);
+            input.events.extend(self.mouse.go(Mouse { at, left, right }));
+            input.has_left |= left;
+        }
+        // A window that has not looked knows nothing new.
+        input.has_left |= self.mouse.left;
+        input.mouse = self.mouse.at;
         input
     }
 
     /// Moves and zooms as the mouse says.
-    fn look(&mut self, happened: &Happened) {
-        let [_, middle, _] = happened.buttons;
-        let (before, was_down) = std::mem::replace(&mut self.pointer, (happened.mouse, middle));
-        let by = (happened.mouse.0.saturating_sub(before.0), happened.mouse.1.saturating_sub(before.1));
+    fn look(&mut self, hand: &Hand, size: (usize, usize)) {
+        let [_, middle, _] = hand.buttons;
+        let (before, was_down) = std::mem::replace(&mut self.pointer, (hand.at, middle));
+        let by = (hand.at.0.saturating_sub(before.0), hand.at.1.saturating_sub(before.1));
         if middle && was_down && by != (0, 0) {
-            self.view.drag(by, &self.shown.picture, happened.size);
+            self.view.drag(by, &self.shown.picture, size);
             self.composed = None;
         }
-        if happened.wheel != 0 {
-            self.zoom(happened.wheel > 0, happened);
+        if hand.wheel != 0 {
+            self.zoom(hand.wheel > 0, hand.at, size);
         }
     }
 
-    fn zoom(&mut self, is_larger: bool, happened: &Happened) {
-        self.view.zoom(is_larger, happened.mouse, &self.shown.picture, happened.size);
+    fn zoom(&mut self, is_larger: bool, around: (i32, i32), size: (usize, usize)) {
+        self.view.zoom(is_larger, around, &self.shown.picture, size);
         self.composed = None;
     }
 
     /// Does what a key of the loop asks for.
-    fn key(&mut self, host: &mut impl Host, key: Key, happened: &Happened) {
+    fn key(&mut self, host: &mut impl Host, key: Key, pointer: (i32, i32), happened: &Happened) {
         let picture = &self.shown.picture;
         match key {
             Key::F2 => {
@@ -191,7 +197,7 @@ impl<'a> Desk<'a> {
             }
             Key::F5 => self.view.has_grid = !self.view.has_grid,
             Key::F6 => self.inspects = !self.inspects,
-            Key::F7 | Key::F8 => self.zoom(key == Key::F8, happened),
+            Key::F7 | Key::F8 => self.zoom(key == Key::F8, pointer, happened.size),
             _ => self.view.fit(),
         }
         self.composed = None;
@@ -255,7 +261,7 @@ mod tests {
         pixelcolor::{Rgb888, RgbColor},
     };
 
-    use super::*;
+    use super::{super::host::tests::looks, *};
 
     /// A window that follows a script: what happens in each frame, 20 ms apart.
     struct Script {
@@ -323,6 +329,11 @@ mod tests {
         Happened { keys, ..quiet() }
     }
 
+    /// A frame in which the mouse is looked at.
+    fn pointed(mouse: &[Hand]) -> Happened {
+        Happened { mouse: mouse.to_vec(), ..quiet() }
+    }
+
     fn shown(red: u8) -> Shown {
         let picture = Picture::from_colors(4, 3, vec![Rgb888::new(red, 0, 0); 12]);
         Shown { picture, caption: format!("{red}") }
@@ -341,11 +352,12 @@ mod tests {
 
     #[test]
     fn a_program_is_told_all_but_the_keys_of_the_loop() {
+        let pressed = Hand { at: (25, 12), buttons: [true, false, false], wheel: 0 };
         let steps = vec![
             tapped(&[Key::A, Key::F6, Key::B]),
-            Happened { mouse: (25, 12), buttons: [true, false, false], ..quiet() },
-            Happened { mouse: (25, 12), buttons: [true, false, false], keys: vec![(Key::A, true)], ..quiet() },
-            Happened { mouse: (25, 12), is_active: false, ..quiet() },
+            pointed(&[pressed]),
+            Happened { keys: vec![(Key::A, true)], ..pointed(&[pressed]) },
+            Happened { is_active: false, ..pointed(&[Hand { at: (25, 12), ..Hand::default() }]) },
         ];
         let (_, told) = play(steps, Path::new("."));
         assert_eq!(told[0].events(), [Event::Key(Key::A, false), Event::Key(Key::B, false)], "keys");
@@ -355,6 +367,36 @@ mod tests {
         assert!(told[2].is_mouse_down() && told[2].is_down(Key::A), "both are down");
         assert_eq!(told[3].events(), [Event::Release(at)], "it goes up");
         assert!(told[3].is_released(Key::A) && !told[3].is_down(Key::A), "the window is not in front any more");
+    }
+
+    #[test]
+    fn a_click_between_two_frames_is_not_lost() {
+        let hand = |x, left, right| Hand { at: (x, 12), buttons: [left, false, right], wheel: 0 };
+        let click = [hand(5, false, false), hand(25, true, false), hand(25, true, false), hand(35, false, false)];
+        let menu = [hand(35, false, false), hand(35, false, true), hand(35, false, false)];
+        let (_, told) = play(vec![pointed(&click), pointed(&menu), quiet()], Path::new("."));
+        let [a, b, c] = [0, 2, 3].map(|x| Point::new(x, 1));
+        let events = [Event::Move(a), Event::Move(b), Event::Press(b), Event::Move(c), Event::Release(c)];
+        assert_eq!(told[0].events(), events, "where and in which order it was");
+        assert!(told[0].is_mouse_down() && told[0].mouse() == c, "for a moment");
+        assert!(told[1].events() == [Event::Menu(c)] && !told[1].is_mouse_down(), "the other button");
+        assert!(told[2].events().is_empty() && told[2].mouse() == c, "nobody has looked");
+    }
+
+    /// Ten milliseconds, from any moment on, with a program that draws for nine.
+    #[test]
+    fn a_click_of_ten_milliseconds_is_seen() {
+        for start in (0..20_000).step_by(250) {
+            let click = Duration::from_micros(start)..Duration::from_micros(start + 10_000);
+            let frames = looks(Duration::ZERO, Duration::from_millis(9)).into_iter().map(|frame| {
+                let hands =
+                    frame.iter().map(|now| Hand { buttons: [click.contains(now), false, false], ..Hand::default() });
+                pointed(&hands.collect::<Vec<_>>())
+            });
+            let (_, told) = play(frames.collect(), Path::new("."));
+            let presses = told.iter().flat_map(Input::events).filter(|event| matches!(event, Event::Press(_)));
+            assert_eq!(presses.count(), 1, "{start}");
+        }
     }
 
     #[test]
@@ -402,11 +444,11 @@ mod tests {
         assert_eq!(count(&script), 12 * 64, "eight by eight");
         let (script, _) = play(vec![tapped(&[Key::F5]), quiet()], Path::new("."));
         assert_eq!(count(&script), 12 * 81, "a column and a row of each are lines");
-        let wheel = Happened { wheel: 1, ..quiet() };
-        let (script, told) =
-            play(vec![wheel.clone(), Happened { mouse: (39, 29), ..quiet() }, quiet()], Path::new("."));
+        let wheel = pointed(&[Hand { wheel: 1, ..Hand::default() }]);
+        let corner = pointed(&[Hand { at: (39, 29), ..Hand::default() }]);
+        let (script, told) = play(vec![wheel.clone(), corner, quiet()], Path::new("."));
         assert_eq!((count(&script), told[1].mouse()), (1200, Point::new(3, 2)), "11 by 11");
-        let drag = |x| Happened { mouse: (x, 0), buttons: [false, true, false], ..quiet() };
+        let drag = |x| pointed(&[Hand { at: (x, 0), buttons: [false, true, false], wheel: 0 }]);
         let (_, told) = play(vec![wheel, drag(9), drag(0), quiet()], Path::new("."));
         assert_eq!(told.last().map(Input::mouse), Some(Point::new(0, 0)), "moved by four columns at most");
         let (script, _) = play(vec![tapped(&[Key::F7, Key::F7, Key::F9]), quiet()], Path::new("."));

@@ -2,12 +2,31 @@
 
 use std::{
     cell::RefCell,
+    mem::take,
     rc::Rc,
+    thread,
     time::{Duration, Instant},
 };
 
 pub use minifb::Error as WindowError;
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, Window, WindowOptions};
+
+/// From a frame to the next: sixty a second.
+const FRAME: Duration = Duration::from_nanos(16_666_667);
+
+/// From a look at the mouse to the next. Nobody clicks in less than some ten milliseconds.
+const LOOK: Duration = Duration::from_millis(4);
+
+/// The mouse as it was when it was looked at.
+#[derive(Copy, Clone, Debug, Default, PartialEq)]
+pub(crate) struct Hand {
+    /// Its place in the window.
+    pub(crate) at: (i32, i32),
+    /// Left, middle and right button.
+    pub(crate) buttons: [bool; 3],
+    /// A step of the wheel since the look before: positive away from the hand.
+    pub(crate) wheel: i32,
+}
 
 /// What has happened to a window since the last time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,12 +39,8 @@ pub(crate) struct Happened {
     pub(crate) keys: Vec<(Key, bool)>,
     /// Whether the window is in front: if not, it is not told of keys.
     pub(crate) is_active: bool,
-    /// The place of the mouse in the window.
-    pub(crate) mouse: (i32, i32),
-    /// Left, middle and right button.
-    pub(crate) buttons: [bool; 3],
-    /// Steps of the wheel, positive away from the hand.
-    pub(crate) wheel: i32,
+    /// The mouse, each time that it was looked at, in order.
+    pub(crate) mouse: Vec<Hand>,
 }
 
 /// A window, as the loop needs it.
@@ -53,10 +68,16 @@ pub(crate) trait Host {
 }
 
 /// A window of the system.
+///
+/// It calls back for each key, and for no button: those can only be asked for. So the mouse is looked at while a window waits for the next
+/// frame, and a click is seen if it is down at one of these moments. It is not if it comes and goes while a program draws.
 pub(crate) struct Glass {
     window: Window,
     opened: Instant,
     keys: Rc<RefCell<Vec<(Key, bool)>>>,
+    mouse: Vec<Hand>,
+    /// When the next frame is due.
+    due: Duration,
 }
 
 /// Hears of every key. Asking the window which keys are down would miss those that are up again by then.
@@ -71,14 +92,35 @@ impl InputCallback for Listener {
 }
 
 impl Glass {
-    /// Opens a window that can be resized, and shows sixty frames a second at most.
+    /// Opens a window that can be resized. It shows sixty frames a second at most.
     pub(crate) fn open(title: &str, (width, height): (usize, usize)) -> Result<Self, WindowError> {
         let options = WindowOptions { resize: true, scale_mode: ScaleMode::UpperLeft, ..WindowOptions::default() };
         let mut window = Window::new(title, width, height, options)?;
-        window.set_target_fps(60);
+        // It does not wait by itself.
+        window.set_target_fps(0);
         let keys = Rc::default();
         window.set_input_callback(Box::new(Listener(Rc::clone(&keys))));
-        Ok(Self { window, opened: Instant::now(), keys })
+        Ok(Self { window, opened: Instant::now(), keys, mouse: vec![], due: Duration::ZERO })
+    }
+
+    /// The mouse, after the window has been updated.
+    fn hand(&self) -> Hand {
+        #[expect(clippy::cast_possible_truncation, reason = "casts of floats stop at the ends of the range")]
+        let whole = |n: f32| n.floor() as i32;
+        Hand {
+            at: self.window.get_mouse_pos(MouseMode::Pass).map_or((0, 0), |(x, y)| (whole(x), whole(y))),
+            buttons: [MouseButton::Left, MouseButton::Middle, MouseButton::Right]
+                .map(|b| self.window.get_mouse_down(b)),
+            wheel: self.window.get_scroll_wheel().map_or(0, |(_, y)| i32::from(y > 0.0) - i32::from(y < 0.0)),
+        }
+    }
+}
+
+/// Waits until a frame is due, and looks every few milliseconds, for the last time then.
+fn wait(due: Duration, now: impl Fn() -> Duration, mut sleep: impl FnMut(Duration), mut look: impl FnMut()) {
+    while let Some(rest) = due.checked_sub(now()).filter(|rest| !rest.is_zero()) {
+        sleep(rest.min(LOOK));
+        look();
     }
 }
 
@@ -96,26 +138,35 @@ impl Host for Glass {
     }
 
     fn show(&mut self, pixels: Option<(&[u32], (usize, usize))>) -> Result<(), WindowError> {
-        if let Some((pixels, (width, height))) = pixels {
-            self.window.update_with_buffer(pixels, width, height)
-        } else {
-            self.window.update();
-            Ok(())
-        }
+        let shown = match pixels {
+            Some((pixels, (width, height))) => self.window.update_with_buffer(pixels, width, height),
+            None => {
+                self.window.update();
+                Ok(())
+            }
+        };
+        self.mouse.push(self.hand());
+        let opened = self.opened;
+        wait(
+            self.due,
+            || opened.elapsed(),
+            thread::sleep,
+            || {
+                self.window.update();
+                self.mouse.push(self.hand());
+            },
+        );
+        self.due = self.now() + FRAME;
+        shown
     }
 
     fn happened(&mut self) -> Happened {
-        let button = |button| self.window.get_mouse_down(button);
-        #[expect(clippy::cast_possible_truncation, reason = "casts of floats stop at the ends of the range")]
-        let whole = |n: f32| n.floor() as i32;
         Happened {
             now: self.now(),
             size: self.size(),
             keys: self.keys.take(),
             is_active: self.window.is_active(),
-            mouse: self.window.get_mouse_pos(MouseMode::Pass).map_or((0, 0), |(x, y)| (whole(x), whole(y))),
-            buttons: [MouseButton::Left, MouseButton::Middle, MouseButton::Right].map(button),
-            wheel: self.window.get_scroll_wheel().map_or(0, |(_, y)| i32::from(y > 0.0) - i32::from(y < 0.0)),
+            mouse: take(&mut self.mouse),
         }
     }
 
@@ -125,5 +176,51 @@ impl Host for Glass {
 
     fn say(&mut self, line: &str) {
         eprintln!("{line}");
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    /// When somebody looks who draws for so long, from a moment on: two frames of them. A look takes half a millisecond.
+    pub(in super::super) fn looks(start: Duration, drawing: Duration) -> Vec<Vec<Duration>> {
+        let clock = Cell::new(start);
+        let mut due = start + FRAME;
+        let frame = |_| {
+            clock.set(clock.get() + drawing);
+            let mut seen = vec![clock.get()];
+            wait(
+                due,
+                || clock.get(),
+                |by| clock.set(clock.get() + by),
+                || {
+                    clock.set(clock.get() + Duration::from_micros(500));
+                    seen.push(clock.get());
+                },
+            );
+            due = clock.get() + FRAME;
+            seen
+        };
+        [0, 1].map(frame).into()
+    }
+
+    #[test]
+    fn the_mouse_is_looked_at_every_few_milliseconds() {
+        for drawing in [0, 3, 9] {
+            let looks = looks(Duration::from_millis(100), Duration::from_millis(drawing)).concat();
+            let gaps = looks.windows(2).map(|two| two[1] - two[0]);
+            let longest = Duration::from_millis(drawing).max(LOOK) + Duration::from_micros(500);
+            assert!(gaps.clone().all(|gap| gap <= longest), "{drawing}: {:?}", gaps.collect::<Vec<_>>());
+            assert!(looks.len() > 2 * (16 - usize::try_from(drawing).expect("small")) / 5, "{drawing}");
+        }
+    }
+
+    #[test]
+    fn who_is_late_looks_once() {
+        let looks = looks(Duration::from_millis(100), Duration::from_millis(40));
+        assert_eq!(looks, [[Duration::from_millis(140)], [Duration::from_millis(180)]]);
     }
 }

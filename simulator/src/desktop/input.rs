@@ -22,7 +22,8 @@ pub enum Event {
 
 /// What was done since the last frame, and what is down now.
 ///
-/// A key that was down for less than a frame is there as any other.
+/// A key that was down for less than a frame is there as any other. So is a click, unless it came and went while the frame was drawn: no window
+/// tells of buttons, and they are looked at every four milliseconds while a frame waits for the next one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Input {
     pub(super) events: Vec<Event>,
@@ -66,7 +67,7 @@ impl Input {
         self.mouse
     }
 
-    /// Whether the left button is down.
+    /// Whether the left button is down, or was for a moment.
     pub fn is_mouse_down(&self) -> bool {
         self.has_left
     }
