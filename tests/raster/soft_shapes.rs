@@ -321,6 +321,24 @@ fn sectors_and_rings_cover_what_lies_in_them() {
     println!("sectors and rings are at most {worst} 255ths off samples");
 }
 
+/// What an ellipse beside it takes away from a sector is nothing, however far it is: no outline goes from one to the other.
+#[test]
+fn ellipses_side_by_side_have_no_ring() {
+    let window = Rect::new(-30, -30, 60, 60);
+    let outer = Ellipse::circle(PointFx::px(10, 13), I24F8::from_num(9));
+    let sector = Sector::new(Angle::degrees(20), Angle::degrees(300));
+    let slice = told(window, |table, cells, levels| {
+        coverage::sector(outer, sector, table, cells, window, levels).expect("enough slots");
+    });
+    for (x, y) in [(21, 13), (-1, 13), (10, 24), (10, 2), (40, 50), (8_000_000, 13), (10, -8_000_000)] {
+        let inner = Ellipse::circle(PointFx::px(x, y), I24F8::from_num(2));
+        let part = told(window, |table, cells, levels| {
+            coverage::ring_sector(outer, inner, sector, (table, cells), window, levels).expect("enough slots");
+        });
+        assert!(part.levels == slice.levels, "({x}, {y})");
+    }
+}
+
 /// What tells a shape, with scratch memory.
 type Shape<'a> = &'a dyn Fn(&mut [CoverageSlot], &mut [i32], &mut Levels);
 

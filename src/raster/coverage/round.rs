@@ -40,7 +40,8 @@ pub fn ring(
 }
 
 /// Tells what a sector of a ring covers, as a gauge has it: from an arc of `outer` to one of `inner`, which have the same centre. If they
-/// do not, the ends of each arc are where it has the directions of the sector as seen from its own centre.
+/// do not, the ends of each arc are where it has the directions of the sector as seen from its own centre. An inner ellipse that lies beside
+/// the outer one takes nothing away from it.
 ///
 /// # Errors
 /// As for [`fill`](super::fill).

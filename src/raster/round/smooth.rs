@@ -56,6 +56,13 @@ impl Oval {
             .then(|| Self { centre: scaled(curve.centre), radii: scaled(curve.radii) })
     }
 
+    /// Whether the boxes around two of them have anything in common.
+    fn meets(self, other: Self) -> bool {
+        let is_near = |a: i64, b: i64, radii: i64| a.wrapping_sub(b).unsigned_abs() < radii.unsigned_abs();
+        is_near(self.centre.0, other.centre.0, self.radii.0.wrapping_add(other.radii.0))
+            && is_near(self.centre.1, other.centre.1, self.radii.1.wrapping_add(other.radii.1))
+    }
+
     /// The place on the circle of radius 1 that the ellipse has in a direction, as seen on the screen: both in units of `2^-30`.
     fn on_circle(self, (x, y): (i32, i32)) -> (i32, i32) {
         if self.radii.0 == self.radii.1 {
@@ -170,7 +177,8 @@ impl Smooth {
     }
 
     /// A sector of what lies between two ellipses: the arc along the outer one, and what follows it, along the inner one and back. Of the
-    /// inner one directions are those seen from its own centre. If it has no area this is a sector of the outer one.
+    /// inner one directions are those seen from its own centre. If it has no area or lies beside the outer one, this is a sector of the outer
+    /// one, and no more is drawn than its box has room for.
     pub(crate) fn ring_sector(outer: &Ellipse, inner: &Ellipse, sector: Sector) -> [Self; 2] {
         let nothing = || Self { segments: Vec::new() };
         let (from, to, extent) = sector.ends();
@@ -181,7 +189,9 @@ impl Smooth {
             Extent::Wide => true,
         };
         let Some(large) = Oval::of(outer) else { return [nothing(), nothing()] };
-        let Some(small) = Oval::of(inner) else { return [Self::sector(outer, sector), nothing()] };
+        let Some(small) = Oval::of(inner).filter(|&small| small.meets(large)) else {
+            return [Self::sector(outer, sector), nothing()];
+        };
         let (mut there, mut back) = (nothing(), nothing());
         let ends = |oval: Oval| (oval.on_circle(from), oval.on_circle(to));
         there.begin(large.place(ends(large).0));
