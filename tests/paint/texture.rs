@@ -234,6 +234,45 @@ fn indices_are_mixed_as_colors() {
     );
 }
 
+/// Rows with bytes between them: a tile is one where these are whole pixels, any other texture whatever they are. The last row ends with its
+/// pixels.
+fn rows_apart<F: PixelFormat>(seed: u64, color: impl Fn(u32) -> F::Color)
+where
+    F::Color: PartialEq + core::fmt::Debug,
+{
+    let (mut rng, (width, height)) = (Rng::new(seed), (8_u16, 4_u16));
+    for more in 0..7 {
+        let row = <Rows<F> as Layout>::row_bytes(width);
+        let stride = row + more;
+        let mut ram: Vec<u8> = (0..stride * 3 + row).map(|_| rng.bits() as u8).collect();
+        let mut frame = Framebuffer::<F>::with_stride(&mut ram[..], width, height, stride).unwrap();
+        for at in (0..height).flat_map(|y| (0..width).map(move |x| Point::new(x.into(), y.into()))) {
+            frame.draw_point(at, color(rng.bits() as u32));
+        }
+        let picture = Frame::<_, Rows<F>>::with_stride(&ram[..], width, height, stride).unwrap();
+        let tile = Texture::new(&picture, (Tile, Tile));
+        let is_whole = F::BITS < 8 || stride.is_multiple_of(F::BITS as usize / 8);
+        assert_eq!(tile.is_some(), is_whole, "{} bits, {stride} bytes a row", F::BITS);
+        let repeat = Texture::new(&picture, (Repeat, Repeat)).unwrap();
+        for (i, j) in (-9..18).flat_map(|i| (-9..9).map(move |j| (i, j))) {
+            let wanted = picture.get(Point::new(i & 7, j & 3)).unwrap();
+            let (u, v) = (I16F16::from_num(i), I16F16::from_num(j));
+            assert_eq!(repeat.nearest(u, v), wanted, "{} bits, {stride} bytes a row, ({i}, {j})", F::BITS);
+            if let Some(tile) = tile {
+                assert_eq!(tile.nearest(u, v), wanted, "{} bits, {stride} bytes a row, ({i}, {j})", F::BITS);
+            }
+        }
+    }
+}
+
+#[test]
+fn tiles_whose_rows_are_apart() {
+    rows_apart::<Gray4>(21, |bits| Gray4::new(bits as u8 & 15));
+    rows_apart::<Gray8>(22, |bits| Gray8::new(bits as u8));
+    rows_apart::<Rgb565>(23, |bits| Rgb565::new(bits as u8 & 31, (bits >> 8) as u8 & 63, (bits >> 16) as u8 & 31));
+    rows_apart::<Rgb888>(24, |bits| Rgb888::new(bits as u8, (bits >> 8) as u8, (bits >> 16) as u8));
+}
+
 #[test]
 fn a_picture_without_texels_is_no_texture() {
     let empty = Framebuffer::<Gray8>::new(&mut [], 0, 7).map(|frame| Texture::new(&frame, (Repeat, Clamp)).is_none());

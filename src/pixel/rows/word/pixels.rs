@@ -58,7 +58,16 @@ where
     [u8; N]: Pod,
 {
     let (_, pixels, _) = pod_align_to::<u8, [u8; N]>(memory);
-    pixels.get(y.wrapping_mul(stride / N).wrapping_add(x)).copied().unwrap_or([0; N])
+    match pixels.get(y.wrapping_mul(stride / N).wrapping_add(x)) {
+        Some(&pixel) => pixel,
+        None => beyond(),
+    }
+}
+
+/// What a pixel beyond the memory reads as. It is told to be rare: so the loop around it goes on without a jump where there is a pixel.
+#[cold]
+const fn beyond<const N: usize>() -> [u8; N] {
+    [0; N]
 }
 
 /// The low three bytes, the least significant one first.
