@@ -14,7 +14,7 @@ pub use self::{antialias::Antialias, pictures::Pictures};
 use self::{flood::Area, ink::in_color};
 use crate::{
     error::{EdgeTableFull, TriangleTooLarge},
-    geom::{fill_rule::FillRule, Contours, Facet, PathSegment, PointFx, RoundCorners, Segments, Varying},
+    geom::{fill_rule::FillRule, Contours, PathSegment, PointFx, RoundCorners, Segments, Varying},
     paint::{along, depth, shade, Brush, DepthShade, Paint, Shade},
     pixel::PixelFormat,
     raster::{
@@ -143,7 +143,8 @@ pub trait Canvas: Surface {
     /// ```
     ///
     /// # Errors
-    /// If the box of the line is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    /// If the box of the line is wider and higher, together, than
+    /// [`Facet::MOST`](crate::geom::Facet::MOST) pixels. Then nothing is drawn.
     fn shade_line_fx<V: Varying>(
         &mut self,
         ends: [PointFx; 2],
@@ -165,7 +166,8 @@ pub trait Canvas: Surface {
     /// Where `depth` has no pixel, nothing is painted.
     ///
     /// # Errors
-    /// If the box of the line is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    /// If the box of the line is wider and higher, together, than
+    /// [`Facet::MOST`](crate::geom::Facet::MOST) pixels. Then nothing is drawn.
     fn depth_line_fx<M: AsMut<[u8]>, Z: Depth, V: Varying>(
         &mut self,
         ends: [PointFx; 2],
@@ -320,7 +322,8 @@ pub trait Canvas: Surface {
     /// ```
     ///
     /// # Errors
-    /// If the triangle is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    /// If the triangle is wider and higher, together, than
+    /// [`Facet::MOST`](crate::geom::Facet::MOST) pixels. Then nothing is drawn.
     fn shade_triangle_fx<V: Varying>(
         &mut self,
         corners: [PointFx; 3],
@@ -339,7 +342,8 @@ pub trait Canvas: Surface {
     /// Where `depth` has no pixel, nothing is painted.
     ///
     /// # Errors
-    /// If the triangle is wider and higher, together, than [`Facet::MOST`] pixels. Then nothing is drawn.
+    /// If the triangle is wider and higher, together, than
+    /// [`Facet::MOST`](crate::geom::Facet::MOST) pixels. Then nothing is drawn.
     fn depth_triangle_fx<M: AsMut<[u8]>, Z: Depth, V: Varying>(
         &mut self,
         corners: [PointFx; 3],
@@ -351,10 +355,7 @@ pub trait Canvas: Surface {
     where
         Self: Sized,
     {
-        let facet = Facet::of_any_size(corners);
-        facet.fits(corners)?;
-        depth::fill((self, depth), (corners, &facet), values, passes, color);
-        Ok(())
+        depth::fill((self, depth), corners, values, passes, color)
     }
 
     /// Draws the outline, one pixel wide, of the ellipse in a box of pixels: see [`ellipse`](crate::raster::ellipse).

@@ -208,12 +208,6 @@ impl Facet {
         self.divisor.scale(Self::SMALL_BITS.wrapping_add(8)).filter(|_| is_small)
     }
 
-    /// Whether it is small: 63 pixels wide and high together, and not smaller than a pixel. So D is from 2^17 to 2^26.
-    #[inline(always)]
-    pub(crate) const fn is_small(&self) -> bool {
-        self.extent <= 63 && self.area >= 1 << 17
-    }
-
     /// Bits of the fraction of slopes in small triangles.
     pub(crate) const SMALL_BITS: u32 = 37;
 
@@ -228,62 +222,14 @@ impl Facet {
         Some(levels.map(|corners| self.small_slopes(scale, corners.map(i32::from), 2, 6)))
     }
 
-    /// The slopes of a number of up to 16 bits in a [small](Self::is_small) triangle, with [`WORD_BITS`](Self::WORD_BITS) of fraction
-    /// in 64 bits: at the first pixel of the box, to the right, and downwards.
-    ///
-    /// All of it is computed from what is gained in a unit, above which is D: the numerator is below 2^31, and the ratio above the true
-    /// one by at most 5 units of the fraction. No pixel of the triangle is farther from the first corner than 63 pixels, so numbers
-    /// are off by at most 80,640 units; 2^17 are added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The
-    /// other half of that is more than 2^21 units.
+    /// The same as a small triangle; means nothing if it is not [small](SmallFacet::is_small).
     #[inline(always)]
-    pub(crate) fn small_words(&self, [v0, v1, v2]: [i32; 3]) -> Option<[u64; 3]> {
-        let scale = self.divisor.scale(Self::WORD_BITS).filter(|_| self.is_small())?;
-        let ([b, c], (v1, v2)) = (self.sides, (v1.wrapping_sub(v0), v2.wrapping_sub(v0)));
-        let right = scale.ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)), 3);
-        let down = scale.ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)), 3);
-        let (back_x, back_y) = self.back();
-        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
-        let at =
-            (i64::from(v0) << Self::WORD_BITS).cast_unsigned().wrapping_add((1 << (Self::WORD_BITS - 1)) + (1 << 17));
-        let (right, down) = (right << 8, down << 8);
-        Some([at.wrapping_sub(way).wrapping_add(right).wrapping_add(down), right, down])
-    }
-
-    /// Bits of the fraction of numbers in small triangles.
-    pub(crate) const WORD_BITS: u32 = 48;
-
-    /// From the pixel before the first of the box, each way, to the first corner, in units: at least half a pixel, less than 2^16 in a
-    /// small triangle.
-    #[inline(always)]
-    fn back(&self) -> (u32, u32) {
+    pub(crate) fn small(&self) -> SmallFacet {
         let (x, y) = self.centre_of_first();
-        (256_i32.wrapping_sub(x).unsigned_abs(), 256_i32.wrapping_sub(y).unsigned_abs())
-    }
-
-    /// The slopes of levels of up to 6 bits in a [small](Self::is_small) triangle.
-    ///
-    /// The numerator of a gain in a unit is below 2^20, so a gain is below 2^48. It is off by at most 1 + 2^-10 units of the fraction.
-    /// The start is computed from the first corner: that is not farther away than 64 pixels, be it from there or from a pixel of the
-    /// triangle, and the way to it is below 2^63. So numbers are off by less than 65 units, and one more for what is cut away; 66 are
-    /// added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The other half of that is more than 2^9
-    /// units.
-    #[inline(always)]
-    pub(crate) fn small_levels(&self, [a, b, c]: [[u8; 3]; 3]) -> Option<[[u64; 3]; 3]> {
-        let scale = self.divisor.scale(Self::SMALL_BITS.wrapping_add(8))?;
-        Some([self.levels(scale, a), self.levels(scale, b), self.levels(scale, c)])
-    }
-
-    #[inline(always)]
-    fn levels(&self, scale: Scale, [v0, v1, v2]: [u8; 3]) -> [u64; 3] {
-        let [b, c] = self.sides;
-        let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
-        let right = scale.narrow_ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
-        let down = scale.narrow_ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
-        let (back_x, back_y) = self.back();
-        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
-        let beyond = (u64::from(v0) << Self::SMALL_BITS).wrapping_add((1 << (Self::SMALL_BITS - 1)) + 66);
-        let start = beyond.wrapping_sub((signed_wide(way) >> 8).cast_unsigned()).wrapping_add(right).wrapping_add(down);
-        [start, right, down]
+        let back = (unsigned(256_i32.wrapping_sub(x)), unsigned(256_i32.wrapping_sub(y)));
+        let is_small = self.extent <= SmallFacet::MOST && self.area >= i64::from(SmallFacet::LEAST_AREA);
+        let scale = self.divisor.scale(SmallFacet::BITS).filter(|_| is_small);
+        SmallFacet { sides: self.sides, first: self.first, back, scale: scale.unwrap_or_default() }
     }
 
     #[inline(always)]
@@ -329,6 +275,117 @@ impl Facet {
             Mixed::from_whole(narrow(times(q, n))) + self.divisor.divide(rest)
         };
         [start + part(along, x, half) + part(below, y, 0), part(along, 256, 0), part(below, 256, 0)]
+    }
+}
+
+/// A small triangle over which values change: 63 pixels wide and high together, and not smaller than a pixel.
+///
+/// In a mesh nearly all triangles are small, and to set them up costs as much as their pixels. So there is no more to it than what their
+/// values take: 32 bits are enough for D, which is from 2^17 to 2^26. See [`small`](super::small).
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct SmallFacet {
+    /// As those of a [`Facet`].
+    sides: [(i32, i32); 2],
+    /// The first pixel of its box.
+    first: (i32, i32),
+    /// From the pixel before the first of the box, each way, to the first corner, in units: at least half a pixel, less than 2^16.
+    back: (u32, u32),
+    /// For [`BITS`](Self::BITS) of fraction; 0 of a triangle that is not small.
+    scale: Scale,
+}
+
+impl SmallFacet {
+    /// Bits of the fraction of numbers.
+    pub(crate) const BITS: u32 = 48;
+    /// The most pixels that its box may have in width and height together.
+    const MOST: u32 = 63;
+    /// The least twice its area may be.
+    const LEAST_AREA: u32 = 1 << 17;
+
+    /// The triangle between three places, in either winding. It means nothing if that is not [small](Self::is_small): so it is where
+    /// the caller wants it, and is not copied.
+    // Not inlined: it is the same for all values.
+    #[inline(never)]
+    pub(crate) fn new(corners: &[PointFx; 3]) -> Self {
+        let [a, b, c] = corners.map(bits);
+        let (left, right) = (a.0.min(b.0).min(c.0), a.0.max(b.0).max(c.0));
+        let (upper, lower) = (a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1));
+        if right.abs_diff(left).saturating_add(lower.abs_diff(upper)) > 256 * Self::MOST {
+            return Self::default();
+        }
+        // Sides are below 2^14.
+        let side = |to: (i32, i32)| (to.0.wrapping_sub(a.0), to.1.wrapping_sub(a.1));
+        let (mut b, mut c) = (side(b), side(c));
+        let area = b.0.wrapping_mul(c.1).wrapping_sub(b.1.wrapping_mul(c.0));
+        if area < 0 {
+            let back = |(x, y): (i32, i32)| (x.wrapping_neg(), y.wrapping_neg());
+            (b, c) = (back(b), back(c));
+        }
+        let area = area.unsigned_abs();
+        if area < Self::LEAST_AREA {
+            return Self::default();
+        }
+        let first = (first_centre_from(left), first_centre_from(upper));
+        let back = |corner: i32, first: i32| unsigned(corner.wrapping_sub(first.wrapping_mul(256)).wrapping_add(128));
+        let back = (back(a.0, first.0), back(a.1, first.1));
+        Self { sides: [b, c], first, back, scale: Scale::small(area) }
+    }
+
+    /// Whether it is small.
+    #[inline(always)]
+    pub(crate) fn is_small(&self) -> bool {
+        self.scale != Scale::default()
+    }
+
+    /// The first pixel of its box.
+    #[inline(always)]
+    pub(crate) const fn first(&self) -> (i32, i32) {
+        self.first
+    }
+
+    /// The slopes of a number of up to 16 bits, with [`BITS`](Self::BITS) of fraction in 64 bits: at the first pixel of the
+    /// box, to the right, and downwards.
+    ///
+    /// All of it is computed from what is gained in a unit, above which is D: the numerator is below 2^31, and the ratio above the true
+    /// one by at most 5 units of the fraction. No pixel of the triangle is farther from the first corner than 63 pixels, so numbers
+    /// are off by at most 80,640 units; 2^17 are added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The
+    /// other half of that is more than 2^21 units.
+    #[inline(always)]
+    pub(crate) fn words(&self, [v0, v1, v2]: [i32; 3]) -> [u64; 3] {
+        let scale = self.scale;
+        let ([b, c], (v1, v2)) = (self.sides, (v1.wrapping_sub(v0), v2.wrapping_sub(v0)));
+        let right = scale.ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)), 3);
+        let down = scale.ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)), 3);
+        let (back_x, back_y) = self.back;
+        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
+        let at = (i64::from(v0) << Self::BITS).cast_unsigned().wrapping_add((1 << (Self::BITS - 1)) + (1 << 17));
+        let (right, down) = (right << 8, down << 8);
+        [at.wrapping_sub(way).wrapping_add(right).wrapping_add(down), right, down]
+    }
+
+    /// The slopes of levels of up to 6 bits, with [`SMALL_BITS`](Facet::SMALL_BITS) of fraction.
+    ///
+    /// The numerator of a gain in a unit is below 2^20, so a gain is below 2^48. It is off by at most 1 + 2^-10 units of the fraction.
+    /// The start is computed from the first corner: that is not farther away than 64 pixels, be it from there or from a pixel of the
+    /// triangle, and the way to it is below 2^63. So numbers are off by less than 65 units, and one more for what is cut away; 66 are
+    /// added. A half is not below floor(D / 2) / D, and above it by at most half of 1 / D. The other half of that is more than 2^9
+    /// units.
+    #[inline(always)]
+    pub(crate) fn levels(&self, [a, b, c]: [[u8; 3]; 3]) -> [[u64; 3]; 3] {
+        [self.level(a), self.level(b), self.level(c)]
+    }
+
+    #[inline(always)]
+    fn level(&self, [v0, v1, v2]: [u8; 3]) -> [u64; 3] {
+        let ([b, c], scale) = (self.sides, self.scale.less(3));
+        let (v1, v2) = (i32::from(v1).wrapping_sub(v0.into()), i32::from(v2).wrapping_sub(v0.into()));
+        let right = scale.narrow_ratio(v1.wrapping_mul(c.1).wrapping_sub(v2.wrapping_mul(b.1)));
+        let down = scale.narrow_ratio(v2.wrapping_mul(b.0).wrapping_sub(v1.wrapping_mul(c.0)));
+        let (back_x, back_y) = self.back;
+        let way = wide_times_small(right, back_x).wrapping_add(wide_times_small(down, back_y));
+        let beyond = (u64::from(v0) << Facet::SMALL_BITS).wrapping_add((1 << (Facet::SMALL_BITS - 1)) + 66);
+        let start = beyond.wrapping_sub((signed_wide(way) >> 8).cast_unsigned()).wrapping_add(right).wrapping_add(down);
+        [start, right, down]
     }
 }
 
@@ -422,4 +479,31 @@ fn product(divisor: &WideDivisor, w: i64, v: i64) -> (i128, u64) {
     // What is left of q: below v.
     let part = q1.wrapping_mul(1 << 16).wrapping_add(q2);
     (i128::from(whole).wrapping_mul(v.into()).wrapping_add(part.into()), r2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use twins::rng::Rng;
+
+    #[test]
+    fn small_triangles_are_set_up_as_any() {
+        let (mut rng, mut small) = (Rng::new(401), 0);
+        for i in 0..100_000 {
+            let most = [300, 900, 4_000, 8_000, 8_064, 16_128, 20_000, i32::MAX][i % 8];
+            let (x, y) = (rng.int(-90_000, 90_000), rng.int(-90_000, 90_000));
+            let mut corner = || {
+                let (right, down) = (rng.int(0, most), rng.int(0, most));
+                PointFx::from_bits(x.wrapping_add(right), y.wrapping_add(rng.pick(&[0, down, most])))
+            };
+            let corners = [corner(), corner(), corner()];
+            let (found, wanted) = (SmallFacet::new(&corners), Facet::of_any_size(corners).small());
+            assert_eq!(found.is_small(), wanted.is_small(), "{corners:?}");
+            if found.is_small() {
+                assert_eq!(found, wanted, "{corners:?}");
+                small += 1;
+            }
+        }
+        assert!(small > 20_000, "only {small} are small");
+    }
 }

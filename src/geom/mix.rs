@@ -4,7 +4,7 @@ use embedded_graphics_core::geometry::Point;
 use fixed::types::{I16F16, I24F8};
 
 use super::{
-    facet::Facet,
+    facet::{Facet, SmallFacet},
     perspective::{Perspective, Runs},
     small::Small,
     varying::{Fast, Varying},
@@ -156,7 +156,7 @@ impl Varying for At {
     }
 
     #[inline(always)]
-    fn small(facet: &Facet, _: [Self; 3]) -> Option<Place> {
+    fn small(facet: &SmallFacet, _: [Self; 3]) -> Option<Place> {
         Some(Place(facet.first()))
     }
 

@@ -43,7 +43,7 @@ pub use angle::Angle;
 pub(crate) use arc::on_ellipse;
 pub use arc::{Arc, Curves};
 pub use corners::RoundCorners;
-pub use facet::{Barycentric, Facet};
+pub use facet::{Barycentric, Facet, SmallFacet};
 pub use flatten::{Contours, Segments};
 pub use mix::{At, Mix};
 pub use outlines::Outlines;

@@ -7,7 +7,7 @@
 //! pixel.
 //!
 //! The values are the same: both are the nearest ones. What D and the number of steps allow is said where the sums are made: in
-//! `Facet::small_levels` and `Facet::small_words`.
+//! `SmallFacet::levels` and `SmallFacet::words`.
 
 use core::fmt::Debug;
 

@@ -29,12 +29,14 @@ impl WideDivisor {
     /// Of a number from 1 to 2^63 - 1; 0 is taken for 1.
     #[inline]
     pub(crate) fn new(d: u64) -> Self {
+        if BY_DIGITS && d >> 32 == 0 {
+            let d = low_u32(d).max(1);
+            let shift = d.leading_zeros();
+            return Self { d: d.into(), inverse: reciprocal(d << (shift & 31)), down: 31_u32.wrapping_sub(shift) };
+        }
         let d = d.max(1);
         let shift = d.leading_zeros();
-        let wide = d << (shift & 63);
-        let is_narrow = BY_DIGITS && low_u32(wide) == 0;
-        let inverse = if is_narrow { reciprocal(low_u32(wide >> 32)) } else { reciprocal_wide(wide) };
-        Self { d, inverse, down: 63_u32.wrapping_sub(shift) }
+        Self { d, inverse: reciprocal_wide(d << (shift & 63)), down: 63_u32.wrapping_sub(shift) }
     }
 
     /// `floor(n / d)`, and what remains.
@@ -132,12 +134,25 @@ impl WideDivisor {
 }
 
 /// `2^(bits + 32) / d`, too small by less than 2: for ratios without a shift and without a branch.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Scale {
     inverse: u64,
 }
 
 impl Scale {
+    /// Of a number from 2^17 to 2^26, for 48 bits of fraction: as by [`WideDivisor::scale`].
+    #[inline]
+    pub(crate) fn small(d: u32) -> Self {
+        let shift = d.leading_zeros();
+        Self { inverse: reciprocal(d << (shift & 31)) >> (15_u32.wrapping_sub(shift) & 63) }
+    }
+
+    /// For so many bits less.
+    #[inline(always)]
+    pub(crate) const fn less(self, bits: u32) -> Self {
+        Self { inverse: self.inverse >> (bits & 63) }
+    }
+
     /// `2^bits n / d`, if the factor is below 2^63, and `more`: above the ratio by at least `more - 1 - 2^-30 |n|`, and by at most
     /// `more + 2^-30 |n|`.
     ///
@@ -188,6 +203,7 @@ fn high_product(a: u64, b: u64) -> (u64, u32) {
 ///
 /// The first digit is the reciprocal of 32 bits, cut down by one more. What is left, times the whole reciprocal, is the second one,
 /// too small by less than 4.
+#[inline(always)]
 fn reciprocal(d: u32) -> u64 {
     let (wide, inverse) = (u64::from(d), recip::reciprocal(d));
     let high = 1 << 31 | inverse >> 1;
@@ -309,6 +325,16 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn small_scales_are_those_of_any_number() {
+        let ends = (17..26).flat_map(|b| [0, 1, 2, 99].map(|n| (1 << b) + n)).chain([(1 << 26) - 1, 1 << 26]);
+        for d in ends.chain((0..9_000).map(|i| (1 << 17) + i * 7_441)) {
+            let scale = WideDivisor::new(d.into()).scale(48);
+            assert_eq!(scale, Some(Scale::small(d)), "{d}");
+            assert_eq!(WideDivisor::new(d.into()).scale(45), scale.map(|scale| scale.less(3)), "{d}");
         }
     }
 

@@ -24,7 +24,7 @@ use crate::{
     geom::{
         small::{NoSmall, Small, Sums},
         varying::ByteSlopes,
-        Facet, Fast, Mix, Varying,
+        Facet, Fast, Mix, SmallFacet, Varying,
     },
     num::{
         cast::{low_u32, low_u64, low_u8, signed_wide},
@@ -49,7 +49,7 @@ macro_rules! by_levels {
             }
 
             #[inline(never)]
-            fn small(facet: &Facet, corners: [Self; 3]) -> Option<Self::Small> {
+            fn small(facet: &SmallFacet, corners: [Self; 3]) -> Option<Self::Small> {
                 <$levels>::small(facet, corners.map(|$c| $split))
             }
 
@@ -245,9 +245,9 @@ impl Varying for Levels {
     }
 
     #[inline(always)]
-    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u128>> {
+    fn small(facet: &SmallFacet, corners: [Self; 3]) -> Option<Sums<u128>> {
         let [Levels([a0, a1, a2]), Levels([b0, b1, b2]), Levels([c0, c1, c2])] = corners;
-        let [a, b, c] = facet.small_levels([[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]])?;
+        let [a, b, c] = facet.levels([[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]]);
         let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (a, b, c);
         let packed = Levels::packed;
         Some(Sums { at: packed([a0, b0, c0]), right: packed([a1, b1, c1]), down: packed([a2, b2, c2]) })

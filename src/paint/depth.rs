@@ -32,7 +32,8 @@ mod small;
 use self::small::Rest;
 use super::traits::Paint;
 use crate::{
-    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
+    error::TriangleTooLarge,
+    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, SmallFacet, Varying},
     num::cast::unsigned,
     raster::triangle::{self, TinySpans},
     span::ClippedSpan,
@@ -194,23 +195,30 @@ fn paint<S: Surface, Z: Depth, V: Varying>(
 }
 
 /// Fills a triangle with colours that a function makes of the values at its corners, where its depths pass a test, and keeps these.
+///
+/// # Errors
+/// If the triangle is too large to be a facet. Then nothing is drawn.
 #[inline(always)]
 pub(crate) fn fill<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
-    (corners, facet): ([PointFx; 3], &Facet),
+    corners: [PointFx; 3],
     values: [(Z::Number, V); 3],
     passes: impl Fn(&Z::Number, &Z::Number) -> bool,
     mut color: impl FnMut(V) -> S::Color,
-) {
-    let is_done = fill_small((&mut *on, &mut *depth), (corners, facet), &values, &passes, |on, rest, values| {
+) -> Result<(), TriangleTooLarge> {
+    let small = || SmallFacet::new(&corners);
+    let is_done = fill_small((&mut *on, &mut *depth), (corners, small), &values, &passes, |on, rest, values| {
         rest.paint::<S, V>(on, values, &passes, &mut color);
     });
     if !is_done {
-        fill_any((on, depth), (corners, facet), values, passes, |values, _| Some(color(values)));
+        let facet = Facet::of_any_size(corners);
+        facet.fits(corners)?;
+        fill_any((on, depth), (corners, &facet), values, passes, |values, _| Some(color(values)));
     }
+    Ok(())
 }
 
-/// The same where the function may answer `None`: then colour and depth of the pixel stay as they are.
+/// The same where the function may answer `None`: then colour and depth of the pixel stay as they are. The triangle is a facet.
 #[inline(always)]
 pub(crate) fn fill_some<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
@@ -219,7 +227,8 @@ pub(crate) fn fill_some<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     passes: impl Fn(&Z::Number, &Z::Number) -> bool,
     mut color: impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) {
-    let is_done = fill_small((&mut *on, &mut *depth), (corners, facet), &values, &passes, |on, rest, values| {
+    let small = || facet.small();
+    let is_done = fill_small((&mut *on, &mut *depth), (corners, small), &values, &passes, |on, rest, values| {
         rest.paint_some::<S, V>(on, values, &passes, &mut color);
     });
     if !is_done {
@@ -237,6 +246,9 @@ fn fill_any<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     color: impl FnMut(V, Z::Number) -> Option<S::Color>,
 ) {
     let window = on.window().intersection(depth.window());
+    if window.is_empty() {
+        return;
+    }
     let mut shade = DepthShade::over(depth, facet, values, passes, color);
     triangle::fill(corners, window, |span: ClippedSpan| shade.row(on, span));
 }
@@ -246,25 +258,29 @@ fn fill_any<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
 #[inline(always)]
 fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     (on, depth): (&mut S, &mut Frame<M, surface::Rows<Z>>),
-    (corners, facet): ([PointFx; 3], &Facet),
+    (corners, facet): ([PointFx; 3], impl FnOnce() -> SmallFacet),
     corner_values: &[(Z::Number, V); 3],
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
     paint: impl FnOnce(&mut S, &mut Rest<'_, Z>, V::Small),
 ) -> bool {
+    if !small::SMALL || !V::Small::EXISTS {
+        return false;
+    }
+    let facet = facet();
+    if !facet.is_small() {
+        return false;
+    }
     let window = on.window().intersection(depth.window());
     if window.is_empty() {
         return true;
     }
-    if !V::Small::EXISTS {
-        return false;
-    }
     let depths = corner_values.each_ref().map(|corner| corner.0);
     let mut spans = TinySpans::new();
-    let Some(mut rest) = Rest::new(&mut spans, depth, window, (corners, facet), depths) else { return false };
+    let Some(mut rest) = Rest::new(&mut spans, depth, window, (corners, &facet), depths) else { return false };
     if rest.skip_hidden_rows(passes) {
         return true;
     }
-    let Some(mut values) = V::small(facet, corner_values.each_ref().map(|corner| corner.1)) else { return false };
+    let Some(mut values) = V::small(&facet, corner_values.each_ref().map(|corner| corner.1)) else { return false };
     values.skip(unsigned(rest.y().wrapping_sub(facet.first().1)));
     paint(on, &mut rest, values);
     true

@@ -3,7 +3,7 @@
 use super::traits::Paint;
 use crate::{
     error::TriangleTooLarge,
-    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, Varying},
+    geom::{small::Small, varying::Rows, Facet, Plane, PointFx, SmallFacet, Varying},
     num::cast::unsigned,
     raster::triangle::{self, tiny, TinySpans},
     span::{ClippedSpan, Span},
@@ -25,12 +25,12 @@ pub(crate) fn fill<S: Surface, V: Varying>(
     values: [V; 3],
     mut color: impl FnMut(V) -> S::Color,
 ) -> Result<(), TriangleTooLarge> {
-    let facet = Facet::of_any_size(corners);
-    facet.fits(corners)?;
-    let is_done = fill_small(on, (corners, &facet), &values, |on, rows, values| {
+    let is_done = fill_small(on, (corners, || SmallFacet::new(&corners)), &values, |on, rows, values| {
         paint_rows::<S, V>(on, rows, values, &mut color);
     });
     if !is_done {
+        let facet = Facet::of_any_size(corners);
+        facet.fits(corners)?;
         let mut shade = Shade::over(&facet, values, color);
         triangle::fill(corners, on.window(), |span: ClippedSpan| shade.row(on, span));
     }
@@ -45,7 +45,7 @@ pub(crate) fn fill_some<S: Surface, V: Varying>(
     values: [V; 3],
     mut color: impl FnMut(V) -> Option<S::Color>,
 ) {
-    let is_done = fill_small(on, (corners, facet), &values, |on, rows, values| {
+    let is_done = fill_small(on, (corners, || facet.small()), &values, |on, rows, values| {
         paint_some_rows::<S, V>(on, rows, values, &mut color);
     });
     if !is_done {
@@ -59,16 +59,20 @@ pub(crate) fn fill_some<S: Surface, V: Varying>(
 #[inline(always)]
 fn fill_small<S: Surface, V: Varying>(
     on: &mut S,
-    (corners, facet): ([PointFx; 3], &Facet),
+    (corners, facet): ([PointFx; 3], impl FnOnce() -> SmallFacet),
     values: &[V; 3],
     paint: impl FnOnce(&mut S, InsideRows<'_>, V::Small),
 ) -> bool {
-    if !SMALL || !V::Small::EXISTS || !facet.is_small() {
+    if !SMALL || !V::Small::EXISTS {
+        return false;
+    }
+    let facet = facet();
+    if !facet.is_small() {
         return false;
     }
     let ((x, first_y), mut spans) = (facet.first(), TinySpans::new());
     let Some((y, rows)) = tiny(corners, on.window(), x, &mut spans) else { return false };
-    let Some(mut small) = V::small(facet, *values) else { return false };
+    let Some(mut small) = V::small(&facet, *values) else { return false };
     small.skip(unsigned(y.wrapping_sub(first_y)));
     paint(on, InsideRows { x, y, spans: spans.rows().get(..rows).unwrap_or_default() }, small);
     true

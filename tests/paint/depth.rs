@@ -246,3 +246,17 @@ fn outside_of_the_depth_buffer_nothing_is_painted() {
         assert_eq!(frame.get(at).unwrap().luma(), u8::from(at.x < 8 && at.y < 4), "{at}");
     }
 }
+
+/// A triangle that is too large is an error, even where there are no depths; any other one is not.
+#[test]
+fn too_large_is_an_error_even_where_nothing_is_seen() {
+    let mut ram = [0; 20 * 10];
+    let mut frame = Framebuffer::<Gray8>::new(&mut ram, 20, 10).unwrap();
+    let mut buffer = DepthBuffer::<Depth16>::new(&mut [], 0, 0).unwrap();
+    for (size, is_drawn) in [(8, true), (200, true), (9_000, false)] {
+        let corners = [PointFx::px(0, 0), PointFx::px(size, 0), PointFx::px(0, size)];
+        let drawn = frame.depth_triangle_fx(corners, [(1, ()); 3], &mut buffer, depth::less, |()| Gray8::new(1));
+        assert_eq!(drawn.is_ok(), is_drawn, "{size} pixels");
+    }
+    assert_eq!(ram, [0; 200]);
+}

@@ -3,7 +3,7 @@
 use super::traits::Varying;
 use crate::{
     geom::{
-        facet::Facet,
+        facet::{Facet, SmallFacet},
         small::{Small, Sums},
     },
     num::{
@@ -90,9 +90,9 @@ impl Varying for u8 {
     }
 
     #[inline(always)]
-    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
-        let sums = facet.small_words(corners.map(i32::from))?;
-        Some(Sums::shifted(sums, ByteSlopes::BITS - Facet::WORD_BITS))
+    fn small(facet: &SmallFacet, corners: [Self; 3]) -> Option<Sums<u64>> {
+        let sums = facet.words(corners.map(i32::from));
+        Some(Sums::shifted(sums, ByteSlopes::BITS - SmallFacet::BITS))
     }
 
     #[inline(always)]

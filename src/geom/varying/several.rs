@@ -1,7 +1,7 @@
 //! None, one or several varyings as one: arrays and tuples.
 
 use super::traits::Varying;
-use crate::geom::facet::Facet;
+use crate::geom::facet::{Facet, SmallFacet};
 
 impl Varying for () {
     type Slopes = ();
@@ -13,7 +13,7 @@ impl Varying for () {
     fn slopes(_: &Facet, _: [Self; 3]) {}
 
     #[inline(always)]
-    fn small(_: &Facet, _: [Self; 3]) -> Option<()> {
+    fn small(_: &SmallFacet, _: [Self; 3]) -> Option<()> {
         Some(())
     }
 
@@ -49,7 +49,7 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
     }
 
     #[inline(always)]
-    fn small(facet: &Facet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
+    fn small(facet: &SmallFacet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
         let mut rest = b.into_iter().zip(c);
         let sums = a.map(|a| {
             let (b, c) = rest.next().unwrap_or((a, a));
@@ -117,7 +117,7 @@ macro_rules! tuple {
             }
 
             #[inline(always)]
-            fn small(facet: &Facet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
+            fn small(facet: &SmallFacet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
                 Some(($($name::small(facet, [a.$place, b.$place, c.$place])?,)*))
             }
 

@@ -2,7 +2,10 @@
 
 use core::fmt::Debug;
 
-use crate::geom::{facet::Facet, small::Small};
+use crate::geom::{
+    facet::{Facet, SmallFacet},
+    small::Small,
+};
 
 /// What changes over a triangle: a number, a colour, or several of them in an array or a tuple.
 ///
@@ -29,7 +32,7 @@ pub trait Varying: Copy {
 
     /// The same at the first pixel of the box of a small triangle, in the form for that, if there is one.
     #[inline(always)]
-    fn small(facet: &Facet, corners: [Self; 3]) -> Option<Self::Small> {
+    fn small(facet: &SmallFacet, corners: [Self; 3]) -> Option<Self::Small> {
         let _ = (facet, corners);
         None
     }

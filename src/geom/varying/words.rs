@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     geom::{
-        facet::Facet,
+        facet::{Facet, SmallFacet},
         small::{Small, Sums},
     },
     num::{
@@ -29,8 +29,11 @@ impl WordSlopes {
 
     #[inline(always)]
     fn new(facet: &Facet, corners: [i32; 3]) -> Self {
-        let Some(slopes) = facet.small_words(corners) else { return Self::large(facet, corners) };
-        let [start, right, down] = slopes.map(|fraction| Mixed { whole: 0, fraction });
+        let small = facet.small();
+        if !small.is_small() {
+            return Self::large(facet, corners);
+        }
+        let [start, right, down] = small.words(corners).map(|fraction| Mixed { whole: 0, fraction });
         Self { slopes: Slopes { start, right, down }, reach: Self::SMALL }
     }
 
@@ -85,7 +88,7 @@ pub struct Word {
 
 impl Word {
     /// Bits of the fraction.
-    const BITS: u32 = Facet::WORD_BITS;
+    const BITS: u32 = SmallFacet::BITS;
 }
 
 impl Small<Word> for Sums<u64> {
@@ -120,8 +123,8 @@ macro_rules! words {
             }
 
             #[inline(always)]
-            fn small(facet: &Facet, corners: [Self; 3]) -> Option<Sums<u64>> {
-                let [at, right, down] = facet.small_words(corners.map(i32::from))?;
+            fn small(facet: &SmallFacet, corners: [Self; 3]) -> Option<Sums<u64>> {
+                let [at, right, down] = facet.words(corners.map(i32::from));
                 Some(Sums { at, right, down })
             }
 

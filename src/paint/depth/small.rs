@@ -11,7 +11,7 @@
 use core::slice::IterMut;
 
 use crate::{
-    geom::{small::Small, Facet, PointFx, Varying},
+    geom::{small::Small, PointFx, SmallFacet, Varying},
     num::cast::{low_u32, low_u8, unsigned},
     paint::shade::paint_rows,
     raster::triangle::{tiny, TinySpan, TinySpans},
@@ -21,7 +21,7 @@ use crate::{
 };
 
 /// Whether small triangles have a loop of their own.
-const SMALL: bool = !COMPACT;
+pub(super) const SMALL: bool = !COMPACT;
 
 /// What is left of a small triangle.
 pub(super) struct Rest<'a, Z: Depth> {
@@ -45,10 +45,10 @@ impl<'a, Z: Depth> Rest<'a, Z> {
         spans: &'a mut TinySpans,
         depth: &'a mut Frame<M, surface::Rows<Z>>,
         window: Rect,
-        (corners, facet): ([PointFx; 3], &Facet),
+        (corners, facet): ([PointFx; 3], &SmallFacet),
         depths: [Z::Number; 3],
     ) -> Option<Self> {
-        if !SMALL || !<<Z::Number as Varying>::Small as Small<_>>::EXISTS || !facet.is_small() {
+        if !<<Z::Number as Varying>::Small as Small<_>>::EXISTS {
             return None;
         }
         let (x, first_y) = facet.first();
@@ -190,18 +190,18 @@ fn keep_run<Z: Depth>(
         Z::Number::step(z);
         if passes(&number, &Z::load(*cell)) {
             *cell = Z::store(number);
-            let (left, mut hidden) = (few(rest.len()).wrapping_add(1), 0);
+            let (left, mut kept) = (few(rest.len()).wrapping_add(1), 1_u32);
             for cell in rest.by_ref() {
                 keep_rolled(true);
                 let number = Z::Number::value(z);
                 Z::Number::step(z);
                 if !passes(&number, &Z::load(*cell)) {
-                    hidden = 1;
                     break;
                 }
                 *cell = Z::store(number);
+                kept = kept.wrapping_add(1);
             }
-            return [end.wrapping_sub(left), left.wrapping_sub(few(rest.len())).wrapping_sub(hidden)];
+            return [end.wrapping_sub(left), low_u8(kept)];
         }
     }
     [0, 0]
