@@ -29,6 +29,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Surface::window", "every call asks for it"),
     ("Surface::fill_inside", "its first argument cannot be made outside of the crate"),
     ("Surface::fill_strip", "the same"),
+    ("Surface::pairs", "text calls it"),
     ("Surface::write_inside", "the same"),
     ("Surface::write_span_inside", "the same"),
     ("Surface::write_few_inside", "the same"),

@@ -9,12 +9,12 @@ use super::{
     frame::Frame,
     layout::Layout,
     rows::Rows,
-    strip::Strip,
+    strip::{Ready, Strip},
     traits::{copy_by_pixels, Inside, InsideRows, Readable, Said, Surface},
 };
 use crate::{
     num::cast::index,
-    pixel::PixelFormat,
+    pixel::{rows::strip::Pairs, PixelFormat},
     span::{ClippedSpan, Octants, Rect, SoftRow, Steps},
     tune::COMPACT,
 };
@@ -179,11 +179,16 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
     // Built for speed, a part of the loop over the letters of a line: a call would cost as much as the pixels of a small letter.
     #[cfg_attr(embedded_raster_compact, inline)]
     #[cfg_attr(not(embedded_raster_compact), inline(always))]
-    fn fill_strip(&mut self, strip: Strip<'_>, on: L::Color, off: Option<L::Color>) {
+    fn fill_strip(&mut self, strip: Strip<'_>, on: L::Color, off: Option<L::Color>, ready: Ready<'_>) {
         let ((x, y), (rows, columns)) = (strip.first(), strip.bytes());
         let place = self.place(x, y);
         let (memory, grid) = self.write();
-        L::fill_strip(memory, grid, place, (rows, columns), (on, off));
+        L::fill_strip(memory, grid, place, (rows, columns), (on, off), ready.pairs());
+    }
+
+    #[inline(always)]
+    fn pairs(&self, on: L::Color, off: L::Color) -> Pairs {
+        L::pairs(on, off)
     }
 }
 

@@ -14,7 +14,7 @@
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 use crate::{
-    pixel::rows::mask,
+    pixel::rows::{mask, strip::Pairs},
     span::{Octants, Steps},
 };
 
@@ -367,7 +367,8 @@ pub trait Layout: 'static {
     /// becomes `off`, or leaves the pixel as it is if `off` is `None`.
     ///
     /// `rows` has a byte for each row, from the top down, the leftmost pixel in its most significant bit. Of each, `skip` pixels are
-    /// left out and `width`, at least one, are wanted. All glyphs are written by this function.
+    /// left out and `width`, at least one, are wanted. All glyphs are written by this function. `pairs` are those that
+    /// [`pairs`](Self::pairs) made of both colours, or nothing.
     #[inline]
     fn fill_strip(
         memory: &mut [u8],
@@ -375,11 +376,19 @@ pub trait Layout: 'static {
         (x, mut y): Place,
         (rows, (skip, width)): (&[u8], (u32, u32)),
         colors: (Self::Color, Option<Self::Color>),
+        _pairs: Option<&Pairs>,
     ) {
         for &byte in rows {
             let bits = u32::from(byte).wrapping_shl(skip.wrapping_add(24));
             Self::fill_mask(memory, grid, y, (x, x.wrapping_add(width as usize)), || bits, colors);
             y = y.wrapping_add(1);
         }
+    }
+
+    /// What is of use for all opaque glyphs of two colours: nothing, unless pixels have 16 bits.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pairs(_on: Self::Color, _off: Self::Color) -> Pairs {
+        Pairs::default()
     }
 }

@@ -45,7 +45,7 @@ pub use self::{
     rows::{Bitmap, Framebuffer, Rows},
     sheet::Sheet,
     stencil::Stencil,
-    strip::Strip,
+    strip::{Ready, Strip},
     texture::Texture,
     traits::{Readable, Surface},
     turned::{Turn, Turned},

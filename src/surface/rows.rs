@@ -11,7 +11,9 @@ use crate::{
         rows::{
             self,
             mask::{self, Bits},
-            scan, strip, walk,
+            scan,
+            strip::{self, Pairs},
+            walk,
         },
         PixelFormat,
     },
@@ -333,8 +335,15 @@ impl<F: PixelFormat> Layout for Rows<F> {
         (x, y): Place,
         rows: (&[u8], (u32, u32)),
         (on, off): (F::Color, Option<F::Color>),
+        pairs: Option<&Pairs>,
     ) {
-        strip::draw::<F>(memory, (start(grid, y), grid.stride), x, rows, (F::pack(on), off.map(F::pack)));
+        let (place, colors) = ((start(grid, y), grid.stride), (F::pack(on), off.map(F::pack)));
+        strip::draw::<F>(memory, place, x, rows, colors, pairs);
+    }
+
+    #[inline(always)]
+    fn pairs(on: F::Color, off: F::Color) -> Pairs {
+        strip::pairs::<F>(F::pack(on), F::pack(off))
     }
 }
 

@@ -12,6 +12,7 @@
 
 use crate::{
     num::cast::signed,
+    pixel::rows::strip::{Pairs, PAIRS},
     span::{ClippedSpan, Rect},
 };
 
@@ -26,6 +27,32 @@ pub struct Strip<'a> {
     /// Visible pixels of each byte: 1 to 8, and at most `8 - skip`.
     width: u32,
     rows: &'a [u8],
+}
+
+/// What a surface makes ready of the two colours of opaque strips, once for many: see [`Surface::pairs`](super::Surface::pairs). Nothing
+/// where nothing is of use.
+#[derive(Copy, Clone, Debug)]
+pub struct Ready<'a>([&'a Pairs; PAIRS as usize]);
+
+impl<'a> Ready<'a> {
+    /// With the pairs of both colours.
+    #[inline(always)]
+    pub(crate) fn of(pairs: &'a Pairs) -> Self {
+        Self([pairs; PAIRS as usize])
+    }
+
+    /// Of strips that have no ground.
+    #[inline(always)]
+    pub(crate) fn nothing() -> Self {
+        const NONE: &Pairs = &[[0; 4]; 4];
+        Self([NONE; PAIRS as usize])
+    }
+
+    /// The pairs, where strips are made of them.
+    #[inline(always)]
+    pub(super) fn pairs(self) -> Option<&'a Pairs> {
+        self.0.first().copied()
+    }
 }
 
 impl<'a> Strip<'a> {

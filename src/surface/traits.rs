@@ -2,10 +2,19 @@
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::PixelColor};
 
-use super::{blit::Plan, frame::Frame, layout::Layout, rows::Rows, strip::Strip};
+use super::{
+    blit::Plan,
+    frame::Frame,
+    layout::Layout,
+    rows::Rows,
+    strip::{Ready, Strip},
+};
 use crate::{
     num::cast::index,
-    pixel::{rows::mask::one_by_one, PixelFormat},
+    pixel::{
+        rows::{mask::one_by_one, strip::Pairs},
+        PixelFormat,
+    },
     span::{ClippedSpan, Octants, Rect, SoftRow, Span, Steps},
 };
 
@@ -211,14 +220,20 @@ pub trait Surface {
     }
 
     /// Paints a piece of a glyph, which lies in the window: see [`text`](crate::text). A set bit in the colour `on`, any other in
-    /// the colour `off`, or not at all if `off` is `None`. By default, run by run.
+    /// the colour `off`, or not at all if `off` is `None`. `ready` has the [`pairs`](Self::pairs) of both. By default, run by run.
     #[doc(hidden)]
-    fn fill_strip(&mut self, strip: Strip<'_>, on: Self::Color, off: Option<Self::Color>) {
+    fn fill_strip(&mut self, strip: Strip<'_>, on: Self::Color, off: Option<Self::Color>, _ready: Ready<'_>) {
         strip.runs(|span, is_set| {
             if let Some(color) = if is_set { Some(on) } else { off } {
                 self.fill_span(span, color);
             }
         });
+    }
+
+    /// What is of use for all opaque glyphs of two colours: made once for many.
+    #[doc(hidden)]
+    fn pairs(&self, _on: Self::Color, _off: Self::Color) -> Pairs {
+        Pairs::default()
     }
 }
 

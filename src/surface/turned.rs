@@ -7,10 +7,13 @@
 use embedded_graphics_core::geometry::Point;
 
 use super::{
-    strip::Strip,
+    strip::{Ready, Strip},
     traits::{Inside, Readable, Said, Surface},
 };
-use crate::span::{ClippedSpan, Octants, Rect, Steps};
+use crate::{
+    pixel::rows::strip::Pairs,
+    span::{ClippedSpan, Octants, Rect, Steps},
+};
 
 /// How far a drawing is turned, clockwise.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -232,7 +235,7 @@ impl<S: Surface + ?Sized> Surface for Turned<'_, S> {
     }
 
     /// Eight rows of a glyph at a time are a square of bits, which is turned in two registers.
-    fn fill_strip(&mut self, strip: Strip<'_>, on: S::Color, off: Option<S::Color>) {
+    fn fill_strip(&mut self, strip: Strip<'_>, on: S::Color, off: Option<S::Color>, ready: Ready<'_>) {
         let Rect { x0, mut y0, x1, .. } = strip.area();
         let (rows, (skip, width)) = strip.bytes();
         for rows in rows.chunks(8) {
@@ -257,9 +260,13 @@ impl<S: Surface + ?Sized> Surface for Turned<'_, S> {
                 turned.reverse();
             }
             let first = self.map(Rect { x0, y0, x1, y1 }).top_left();
-            self.surface.fill_strip(Strip::inside(first.x, first.y, (0, columns), turned), on, off);
+            self.surface.fill_strip(Strip::inside(first.x, first.y, (0, columns), turned), on, off, ready);
             y0 = y1;
         }
+    }
+
+    fn pairs(&self, on: S::Color, off: S::Color) -> Pairs {
+        self.surface.pairs(on, off)
     }
 }
 

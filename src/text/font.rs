@@ -7,7 +7,11 @@ use core::fmt;
 
 use bytemuck::pod_align_to;
 
-use crate::{error::FontError, num::cast::low_u16, tune::keep_branch};
+use crate::{
+    error::FontError,
+    num::cast::low_u16,
+    tune::{keep_branch, COMPACT},
+};
 
 /// The first bytes of every font.
 const MAGIC: [u8; 4] = *b"erf1";
@@ -288,13 +292,22 @@ impl<'a> Font<'a> {
     fn number(&self, character: char) -> Option<u16> {
         let (_, mut ranges, _) = pod_align_to::<u8, [u8; RECORD]>(self.ranges);
         let mut probe = 0;
-        while let Some(&[a, b, c, d, count0, count1, glyph0, glyph1]) = ranges.get(probe) {
-            // Two words, as they are two loads.
-            let first = u32::from_le_bytes([a, b, c, d]);
-            let both = u32::from_le_bytes([count0, count1, glyph0, glyph1]);
-            let place = u32::from(character).wrapping_sub(first);
-            if place < both & 0xffff {
-                return Some(low_u16((both >> 16).wrapping_add(place)));
+        if !COMPACT {
+            // In front of the loop: then it lies at a place that is known.
+            let (first, number) = look_up(ranges.first()?, character);
+            if number.is_some() {
+                return number;
+            }
+            if u32::from(character) < first {
+                return None;
+            }
+            ranges = ranges.get(1..)?;
+            probe = ranges.len() / 2;
+        }
+        while let Some(range) = ranges.get(probe) {
+            let (first, number) = look_up(range, character);
+            if number.is_some() {
+                return number;
             }
             let (before, after) = ranges.split_at_checked(probe).unwrap_or_default();
             ranges = if u32::from(character) < first { before } else { after.get(1..).unwrap_or_default() };
@@ -302,6 +315,17 @@ impl<'a> Font<'a> {
         }
         None
     }
+}
+
+/// The first character of a range, and the number of the glyph of a character that lies in it.
+#[inline(always)]
+fn look_up(&[a, b, c, d, count0, count1, glyph0, glyph1]: &[u8; RECORD], character: char) -> (u32, Option<u16>) {
+    // Two words, as they are two loads.
+    let first = u32::from_le_bytes([a, b, c, d]);
+    let both = u32::from_le_bytes([count0, count1, glyph0, glyph1]);
+    let place = u32::from(character).wrapping_sub(first);
+    let number = (place < both & 0xffff).then(|| low_u16((both >> 16).wrapping_add(place)));
+    (first, number)
 }
 
 /// Where the bits of a glyph begin, and what else is said of it.

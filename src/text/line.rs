@@ -63,7 +63,8 @@ impl Pen {
     /// Moves the base on, if the pen is far from it. Says whether it did: to be called after each character.
     #[inline(always)]
     pub(super) fn moves_base(&mut self) -> bool {
-        let is_far = self.column >= FAR;
+        // Columns are not negative. A shift needs no constant.
+        let is_far = self.column >> FAR.trailing_zeros() != 0;
         if is_far {
             (self.base, self.column) = (self.total(), 0);
         }

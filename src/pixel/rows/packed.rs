@@ -8,7 +8,11 @@
 //! ends and a plain middle.
 
 use super::word;
-use crate::{num::cast::low_u8, pixel::format::PixelFormat, tune::COMPACT};
+use crate::{
+    num::cast::{low_u32, low_u8},
+    pixel::format::PixelFormat,
+    tune::COMPACT,
+};
 
 /// How many bytes are copied at once where there are as many; built for size, one after the other.
 const GROUP: usize = if COMPACT { usize::MAX } else { 4 };
@@ -249,6 +253,10 @@ fn each_byte<F: PixelFormat>(
     }
 }
 
+/// Whether the bytes that opaque strips cover are gone through column by column: what of a byte is painted is found out once, not in each
+/// row, and a byte that is painted as a whole is not read.
+const BY_COLUMNS: bool = !COMPACT;
+
 /// Writes a strip of up to eight pixels in each of some rows: see [`strip`](super::strip). `skip` pixels of each byte are left out,
 /// and those of `wanted`, from the left, are painted.
 #[inline(always)]
@@ -267,6 +275,20 @@ pub(super) fn draw_strip<F: PixelFormat>(
     let len =
         before.wrapping_add(wanted.leading_ones() as usize).wrapping_add(last_in_byte::<F>()) >> byte_shift::<F>();
     let mut start = row.wrapping_add(x >> byte_shift::<F>());
+    if BY_COLUMNS && off.is_some() {
+        // How far right the pixels of the first byte are from the bits of their mask.
+        let (mut painted, mut right) =
+            (always, (8 - 8 / F::BITS).wrapping_add(low_u32(before as u64)).wrapping_sub(skip));
+        for at in start..start.wrapping_add(len) {
+            let value = |bits: u8| merge(ground, on, spread_low::<F>(u32::from(bits).rotate_right(right & 31)));
+            match spread::<F>(painted) {
+                0xff => down(memory, (at, stride), strip, |place, bits| *place = value(bits)),
+                mask => down(memory, (at, stride), strip, |place, bits| *place = merge(*place, value(bits), mask)),
+            }
+            (painted, right) = (painted << (8 / F::BITS), right.wrapping_sub(8 / F::BITS));
+        }
+        return;
+    }
     for bits in strip {
         let (mut set, mut painted) = (placed(low_u8(u32::from(*bits) << (skip & 31)) & wanted), always);
         painted |= set;
@@ -282,15 +304,31 @@ pub(super) fn draw_strip<F: PixelFormat>(
     }
 }
 
+/// Goes down a column of bytes, from one on, with a byte of the strip for each row.
+#[inline(always)]
+fn down(memory: &mut [u8], (mut at, stride): (usize, usize), strip: &[u8], mut f: impl FnMut(&mut u8, u8)) {
+    for bits in strip {
+        let Some(place) = memory.get_mut(at) else { return };
+        f(place, *bits);
+        at = at.wrapping_add(stride);
+    }
+}
+
 /// The bits of the pixels of a byte that are set in a mask: that of the leftmost pixel is its bit 15. Bits above do not matter.
 #[inline(always)]
 fn spread<F: PixelFormat>(mask: u32) -> u8 {
+    spread_low::<F>(mask >> (16 - 8 / F::BITS))
+}
+
+/// The same for a mask of which the bit of the rightmost pixel is bit 0.
+#[inline(always)]
+fn spread_low<F: PixelFormat>(mask: u32) -> u8 {
     if F::BITS == 1 {
-        let bits = low_u8(mask >> 8);
+        let bits = low_u8(mask);
         return if F::LSB0 { bits.reverse_bits() } else { bits };
     }
     let table = const { spreads(F::BITS, F::LSB0) };
-    table[(mask >> (16 - 8 / F::BITS)) as usize & last_of_table::<F>()]
+    table[mask as usize & last_of_table::<F>()]
 }
 
 /// The last entry of [`spreads`] that is needed: a bit for each pixel of a byte.

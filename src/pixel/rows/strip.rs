@@ -20,7 +20,21 @@ use crate::{
 };
 
 /// Whether 16-bit pixels go in pairs: words that are stored at any address, and a loop for each number of pairs.
-const PAIRS: bool = UNALIGNED && !COMPACT;
+pub(crate) const PAIRS: bool = UNALIGNED && !COMPACT;
+
+/// Two pixels of 16 bits for each two bits of a strip.
+pub(crate) type Pairs = [[u8; 4]; 4];
+
+/// The pairs of two colours; of other formats nobody asks for them.
+#[inline(always)]
+pub(crate) fn pairs<F: PixelFormat>(on: u32, ground: u32) -> Pairs {
+    if F::BITS != 16 {
+        return Pairs::default();
+    }
+    let (on, ground) = (low_u16(on), low_u16(ground));
+    let pair = |left: u16, right: u16| (u32::from(right) << 16 | u32::from(left)).to_le_bytes();
+    [pair(ground, ground), pair(ground, on), pair(on, ground), pair(on, on)]
+}
 
 /// Whether rows are cut apart at once. It takes a loop more, for rows that are not whole.
 const AT_ONCE: bool = PAIRS;
@@ -29,7 +43,7 @@ const AT_ONCE: bool = PAIRS;
 const COUNTS: bool = !ARMV6;
 
 /// Writes the strip: `on` where a bit is set, `off`, or nothing, elsewhere. Of each byte of `strip`, `skip` pixels are left out and
-/// `width`, at least one, are wanted; the first falls on pixel `x`.
+/// `width`, at least one, are wanted; the first falls on pixel `x`. Of both colours there may be [`pairs`].
 #[inline(always)]
 pub(crate) fn draw<F: PixelFormat>(
     memory: &mut [u8],
@@ -37,15 +51,16 @@ pub(crate) fn draw<F: PixelFormat>(
     x: usize,
     (strip, (skip, width)): (&[u8], (u32, u32)),
     (on, off): (u32, Option<u32>),
+    pairs: Option<&Pairs>,
 ) {
     if F::BITS < 8 {
         let wanted = low_u8(0xff00 >> (width & 31));
         return packed::draw_strip::<F>(memory, (row, stride), x, (strip, (skip, wanted)), (on, off));
     }
     let at = byte::<F>(0, x);
-    if let (16, true, Some(off)) = (F::BITS, PAIRS && skip == 0, off) {
+    if let (16, 0, Some(pairs), Some(_)) = (F::BITS, skip, pairs, off) {
         if let Some(area) = whole_rows(memory, (row, stride), strip) {
-            return in_pairs(area, at, width, low_u16(on), low_u16(off));
+            return in_pairs(area, at, width, pairs);
         }
     }
     let place = (memory, (row, stride), at);
@@ -171,25 +186,23 @@ where
 
 /// Pixels of 16 bits on a ground, in pairs, and the last column by itself if there is one more.
 #[inline(always)]
-fn in_pairs(area: Whole<'_, '_>, at: usize, width: u32, on: u16, ground: u16) {
-    let pair = |left: u16, right: u16| (u32::from(right) << 16 | u32::from(left)).to_le_bytes();
-    let pairs = [pair(ground, ground), pair(ground, on), pair(on, ground), pair(on, on)];
+fn in_pairs(area: Whole<'_, '_>, at: usize, width: u32, pairs: &Pairs) {
     match width {
-        1 => rows_of_pairs::<0, true>(area, at, &pairs),
-        2 => rows_of_pairs::<1, false>(area, at, &pairs),
-        3 => rows_of_pairs::<1, true>(area, at, &pairs),
-        4 => rows_of_pairs::<2, false>(area, at, &pairs),
-        5 => rows_of_pairs::<2, true>(area, at, &pairs),
-        6 => rows_of_pairs::<3, false>(area, at, &pairs),
-        7 => rows_of_pairs::<3, true>(area, at, &pairs),
-        8 => rows_of_pairs::<4, false>(area, at, &pairs),
+        1 => rows_of_pairs::<0, true>(area, at, pairs),
+        2 => rows_of_pairs::<1, false>(area, at, pairs),
+        3 => rows_of_pairs::<1, true>(area, at, pairs),
+        4 => rows_of_pairs::<2, false>(area, at, pairs),
+        5 => rows_of_pairs::<2, true>(area, at, pairs),
+        6 => rows_of_pairs::<3, false>(area, at, pairs),
+        7 => rows_of_pairs::<3, true>(area, at, pairs),
+        8 => rows_of_pairs::<4, false>(area, at, pairs),
         _ => {}
     }
 }
 
 /// `N` pairs in each row, and one pixel more if the width is odd.
 #[inline(always)]
-fn rows_of_pairs<const N: usize, const ODD: bool>(area: Whole<'_, '_>, at: usize, pairs: &[[u8; 4]; 4]) {
+fn rows_of_pairs<const N: usize, const ODD: bool>(area: Whole<'_, '_>, at: usize, pairs: &Pairs) {
     let len = N.wrapping_mul(4).wrapping_add(if ODD { 2 } else { 0 });
     area.each((at, len), |row, bits| {
         let pair = |shift: u32| pairs[(u32::from(bits) >> (shift & 31) & 3) as usize];
