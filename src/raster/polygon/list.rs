@@ -73,8 +73,8 @@ pub(super) fn sort(table: &[EdgeSlot], list: u16) -> u16 {
         }
         (run, rest) = take_run(table, rest);
     }
-    // `merge` takes empty lists too, but most levels are empty.
-    levels.into_iter().filter(|&level| level != END).fold(END, |list, level| merge(table, level, list))
+    // `merge` takes empty lists too, but most levels are empty. By reference: by value, they would be on the stack twice.
+    levels.iter().filter(|&&level| level != END).fold(END, |list, &level| merge(table, level, list))
 }
 
 /// Cuts a run off the front of a list: as many edges as each belong behind all the edges before them, or in front of all. Returns
