@@ -159,7 +159,7 @@ fn soft_rims() -> Result<Picture, Error> {
     let mut table = [CoverageSlot::EMPTY; 16]; // the sides that touch a row
     let mut cells = [0; coverage::cells(64)]; // a row of pixels; with fewer, a row is drawn in parts
     let (dial, hand) = (Ellipse::circle(PointFx::px(32, 24), px(21)), [PointFx::px(32, 24), PointFx::px(46, 12)]);
-    frame.fill_ellipse_aa(dial, &mut table, &mut cells, Cover(Gray8::new(120)))?;
+    frame.fill_ellipse_aa(dial, Cover(Gray8::new(120)));
     frame.stroke_line_aa(hand, &Stroke::px(3), &mut table, &mut cells, Cover(Gray8::WHITE))?;
     frame.draw_line_aa(PointFx::px(32, 24), PointFx::px(25, 8), Cover(Gray8::WHITE));
     Ok(Picture::of(&frame).zoomed(ZOOM))
@@ -205,7 +205,7 @@ fn masks() -> Result<Picture, Error> {
     let mut hard = Framebuffer::<BinaryColor>::new(&mut bits, 144, 48)?;
     hard.fill_ellipse_fx(disc(24), BinaryColor::On);
     let mut soft = Framebuffer::<Gray8>::new(&mut shades, 144, 48)?;
-    soft.fill_ellipse_aa(disc(72), &mut table, &mut cells, Cover(Gray8::WHITE))?;
+    soft.fill_ellipse_aa(disc(72), Cover(Gray8::WHITE));
     let fade = Linear::new([PointFx::px(99, 0), PointFx::px(141, 0)], Outside::Clamp, |level, _| Gray8::new(level));
     soft.paint(fade, |window, brush| rectangle::fill(Rect::new(99, 3, 141, 45), window, brush));
 

@@ -112,6 +112,8 @@ calls! {
     });
     [line]
     line => covered(|_, _, look| { coverage::line(p, q, window, look); true });
+    [oval]
+    ellipse => covered(|_, _, look| { coverage::ellipse(ellipse, window, look); true });
     [shapes]
     path => covered(|table, cells, look| coverage::path(path, rule, table, cells, window, look).is_ok());
     path_true => covered(|table, cells, look| coverage::path_true(path, rule, table, cells, window, look).is_ok());
@@ -124,7 +126,6 @@ calls! {
     stroke_polyline => covered(|table, cells, look| {
         coverage::stroke_polyline(a.contour, a.flag, &a.stroke, (table, cells), window, look).is_ok()
     });
-    ellipse => covered(|table, cells, look| coverage::ellipse(ellipse, table, cells, window, look).is_ok());
     rounded => covered(|table, cells, look| coverage::rounded(area, a.radii, table, cells, window, look).is_ok());
     triangle => covered(|_, cells, look| { coverage::triangle(a.corners_fx(), cells, window, look); true });
     rectangle => covered(|_, _, look| { coverage::rectangle(p, q, window, look); true });

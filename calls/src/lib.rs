@@ -268,7 +268,7 @@ calls! {
     fill_path_aa => with_scratch(|table, cells| {
         on.fill_path_aa(Path::new(a.segments), a.rule(), table, cells, Dithered::<_, 4>(c))
     });
-    fill_ellipse_aa => with_scratch(|table, cells| on.fill_ellipse_aa(a.ellipses[0], table, cells, Dithered::<_, 4>(c)));
+    fill_ellipse_aa => on.fill_ellipse_aa(a.ellipses[0], Dithered::<_, 4>(c));
     fill_sector_aa => with_scratch(|table, cells| {
         on.fill_sector_aa(a.ellipses[0], a.sector, table, cells, Dithered::<_, 4>(c))
     });

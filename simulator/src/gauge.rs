@@ -171,8 +171,8 @@ fn needle(frame: &mut Paged<'_, BinaryColor>, direction: Angle) -> Result<(), Er
         let needle = [right, tip, left];
         frame.fill_polygon_aa(&needle, FillRule::NonZero, table, cells, Solid(color))?;
         let disc = Ellipse::circle(hub(), I24F8::from_bits((52 + wider) * 32));
-        frame.fill_ellipse_aa(disc, table, cells, Solid(color))?;
+        frame.fill_ellipse_aa(disc, Solid(color));
     }
-    frame.fill_ellipse_aa(Ellipse::circle(hub(), px(2)), table, cells, Solid(BinaryColor::Off))?;
+    frame.fill_ellipse_aa(Ellipse::circle(hub(), px(2)), Solid(BinaryColor::Off));
     Ok(())
 }

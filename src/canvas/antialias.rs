@@ -43,12 +43,15 @@ use crate::{
 /// **Memory.** `cells` may have any length, even 0: [`coverage::cells`] says how many let a row be drawn at once.
 /// ```
 /// use embedded_graphics_core::{pixelcolor::Rgb565, prelude::RgbColor};
-/// use embedded_raster::{buffer_bytes, paint::Cover, raster::coverage, Antialias, CoverageSlot, Ellipse, Framebuffer, PointFx, px};
+/// use embedded_raster::{
+///     buffer_bytes, paint::Cover, px, raster::coverage, Antialias, CoverageSlot, Ellipse, FillRule, Framebuffer, PointFx,
+/// };
 /// let mut ram = [0; buffer_bytes::<Rgb565>(64, 48)];
 /// let mut frame = Framebuffer::<Rgb565>::new(&mut ram, 64, 48)?;
+/// frame.fill_ellipse_aa(Ellipse::circle(PointFx::px(32, 24), px(20)), Cover(Rgb565::RED));
 /// let (mut table, mut cells) = ([CoverageSlot::EMPTY; 16], [0; coverage::cells(64)]);
-/// let disc = Ellipse::circle(PointFx::px(32, 24), px(20));
-/// frame.fill_ellipse_aa(disc, &mut table, &mut cells, Cover(Rgb565::RED))?;
+/// let kite = [(32, 8), (40, 24), (32, 40), (24, 24)].map(|(x, y)| PointFx::px(x, y));
+/// frame.fill_polygon_aa(&kite, FillRule::NonZero, &mut table, &mut cells, Cover(Rgb565::WHITE))?;
 /// # Ok::<(), embedded_raster::Error>(())
 /// ```
 pub trait Antialias: Surface {
@@ -125,19 +128,10 @@ pub trait Antialias: Surface {
     }
 
     /// Fills a circle or an ellipse. One that is turned is a path: [`Curves::ellipse`](crate::geom::Curves::ellipse).
-    ///
-    /// # Errors
-    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa). Sixteen slots are enough for any ellipse of a screen.
     #[doc(alias("fillSmoothCircle"))]
     #[inline]
-    fn fill_ellipse_aa(
-        &mut self,
-        ellipse: Ellipse,
-        table: &mut [CoverageSlot],
-        cells: &mut [i32],
-        paint: impl Paint<Self>,
-    ) -> Result<(), EdgeTableFull> {
-        coverage::ellipse(ellipse, table, cells, self.window(), Brush::new(self, paint))
+    fn fill_ellipse_aa(&mut self, ellipse: Ellipse, paint: impl Paint<Self>) {
+        coverage::ellipse(ellipse, self.window(), Brush::new(self, paint));
     }
 
     /// Fills a sector of a circle or an ellipse, a slice of a pie.

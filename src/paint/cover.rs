@@ -48,7 +48,7 @@ where
         on.mix_span(span, levels, |old, level| Channels::between([old, color], level));
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn soft_row(&mut self, on: &mut S, row: SoftRow<'_>) {
         let color = self.0;
         on.mix_row(row, color, |old, level| Channels::between([old, color], level));

@@ -66,7 +66,7 @@
 //! let mut hard = Framebuffer::<BinaryColor>::new(&mut bits, 144, 48)?;
 //! hard.fill_ellipse_fx(disc(24), BinaryColor::On);
 //! let mut soft = Framebuffer::<Gray8>::new(&mut shades, 144, 48)?;
-//! soft.fill_ellipse_aa(disc(72), &mut table, &mut cells, Cover(Gray8::WHITE))?;
+//! soft.fill_ellipse_aa(disc(72), Cover(Gray8::WHITE));
 //! let fade = Linear::new([PointFx::px(99, 0), PointFx::px(141, 0)], Outside::Clamp, |level, _| Gray8::new(level));
 //! soft.paint(fade, |window, brush| rectangle::fill(Rect::new(99, 3, 141, 45), window, brush));
 //!

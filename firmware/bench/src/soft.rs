@@ -96,9 +96,9 @@ fn triangles<F: PixelFormat<Color: Channels>>(frame: &mut Frame<F>, triangles: &
 }
 
 fn discs<F: PixelFormat<Color: Channels>>(frame: &mut Frame<F>, discs: &[Rect]) {
-    let (mut surface, table, cells) = frame.parts();
+    let (mut surface, ..) = frame.parts();
     for disc in discs {
-        surface.fill_ellipse_aa(Ellipse::in_box(disc.sides), table, cells, paint::<F>(disc.ink)).unwrap();
+        surface.fill_ellipse_aa(Ellipse::in_box(disc.sides), paint::<F>(disc.ink));
     }
 }
 

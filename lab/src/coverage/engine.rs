@@ -54,8 +54,7 @@ fn own(frame: &mut [u8], shape: &Soft, table: &mut [CoverageSlot], cells: &mut [
             contours => frame.fill_contours_aa(contours, shape.rule, table, cells, white).expect("slots enough"),
         },
         Outline::Circle(..) => {
-            let circle = shape.circle().expect("it is one");
-            frame.fill_ellipse_aa(circle, table, cells, white).expect("slots enough");
+            frame.fill_ellipse_aa(shape.circle().expect("it is one"), white);
         }
         Outline::Curves(_) => frame.fill_path_aa(shape.path(), shape.rule, table, cells, white).expect("slots enough"),
         Outline::Line(..) => {

@@ -142,7 +142,7 @@ impl Face {
         let (hours, minutes, seconds) = self.time;
         let disc = |middle, radius| Ellipse::circle(middle, radius);
         let middle = self.at(Angle::default(), 0);
-        on.fill_ellipse_aa(disc(middle, self.length(960)), table, cells, paint(Ink::Dial))?;
+        on.fill_ellipse_aa(disc(middle, self.length(960)), paint(Ink::Dial));
         for minute in 0..60 {
             let (inner, width) = if minute % 5 == 0 { (830, 36) } else { (885, 14) };
             let direction = Angle::turns(minute, 60);
@@ -167,7 +167,8 @@ impl Face {
         let direction = Angle::turns(seconds, 60);
         let needle = [self.at(direction, -180), self.at(direction, 840)];
         on.stroke_line_aa(needle, &Stroke::new(self.length(14)), table, cells, paint(Ink::Second))?;
-        on.fill_ellipse_aa(disc(middle, self.length(52)), table, cells, paint(Ink::Second))
+        on.fill_ellipse_aa(disc(middle, self.length(52)), paint(Ink::Second));
+        Ok(())
     }
 
     /// A hand that tapers to its tip.

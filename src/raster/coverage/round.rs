@@ -1,6 +1,6 @@
 //! The coverage of parts of ellipses: sectors, rings, and sectors of rings.
 
-use super::{shapes::path, slot::CoverageSlot};
+use super::{oval, shapes::path, slot::CoverageSlot};
 use crate::{
     error::EdgeTableFull,
     geom::fill_rule::FillRule,
@@ -20,6 +20,10 @@ pub fn sector(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
+    if sector.is_everything() {
+        oval::ellipse(ellipse, window, sink);
+        return Ok(());
+    }
     path(Smooth::sector(&ellipse, sector).path(), FillRule::NonZero, table, cells, window, sink)
 }
 

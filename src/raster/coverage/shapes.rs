@@ -17,7 +17,6 @@ use crate::{
     },
     num::cast::{low_u8, unsigned},
     raster::{
-        ellipse::Ellipse,
         round::Smooth,
         rounded::Radii,
         stroke::{path_border, polyline_border, Dashing, Stroke},
@@ -142,20 +141,6 @@ pub fn stroke_polyline<D: Dashing>(
         polyline_border(places, closed, stroke, band, &mut |a, b| loader.side(a, b));
     };
     fill_sides::<false>(&load, FillRule::NonZero, (table, cells), window, sink)
-}
-
-/// Tells what a circle or an ellipse covers. Where it is given by its box it touches the sides of it.
-///
-/// # Errors
-/// As for [`fill`].
-pub fn ellipse(
-    ellipse: Ellipse,
-    table: &mut [CoverageSlot],
-    cells: &mut [i32],
-    window: Rect,
-    sink: impl Sink,
-) -> Result<(), EdgeTableFull> {
-    path(Smooth::ellipse(&ellipse).path(), FillRule::NonZero, table, cells, window, sink)
 }
 
 /// Tells what a rectangle of pixels with rounded corners covers. Radii are limited as those of

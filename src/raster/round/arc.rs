@@ -152,6 +152,11 @@ impl Sector {
         matches!(self.extent, Extent::Wide | Extent::Everything)
     }
 
+    /// Whether it is a whole turn.
+    pub(crate) fn is_everything(&self) -> bool {
+        self.extent == Extent::Everything
+    }
+
     /// Its first direction, the one after its last, and how much lies between.
     #[inline]
     pub(super) const fn ends(&self) -> ((i32, i32), (i32, i32), Extent) {

@@ -111,6 +111,15 @@ impl Ellipse {
         })
     }
 
+    /// Its centre and its radii in units of 1/512 pixel, if it has area.
+    pub(crate) fn on_grid(&self) -> Option<((i64, i64), (i64, i64))> {
+        let curve = self.curve();
+        // The shift is at most 9.
+        let up = 9_u32.wrapping_sub(curve.shift) & 15;
+        let scaled = |(x, y): (i64, i64)| (x << up, y << up);
+        (curve.radii.0 > 0 && curve.radii.1 > 0).then(|| (scaled(curve.centre), scaled(curve.radii)))
+    }
+
     /// Whether it touches the sides of its extent.
     #[inline(always)]
     pub(super) const fn is_in_box(&self) -> bool {

@@ -46,14 +46,7 @@ struct Oval {
 impl Oval {
     /// That of an ellipse, if it has area.
     fn of(ellipse: &Ellipse) -> Option<Self> {
-        let curve = ellipse.curve();
-        // The shift is at most 9.
-        let scaled = |(x, y): (i64, i64)| {
-            let up = 9_u32.wrapping_sub(curve.shift) & 15;
-            (x << up, y << up)
-        };
-        (curve.radii.0 > 0 && curve.radii.1 > 0)
-            .then(|| Self { centre: scaled(curve.centre), radii: scaled(curve.radii) })
+        ellipse.on_grid().map(|(centre, radii)| Self { centre, radii })
     }
 
     /// Whether the boxes around two of them have anything in common.

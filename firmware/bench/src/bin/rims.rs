@@ -139,8 +139,8 @@ fn disc(disc: Ellipse, memory: &mut [u8], scratch: &mut Scratch) {
     let shape = Shape {
         name: "circle of 101 px",
         flat: &|frame, _| frame.fill_ellipse_fx(disc, RED),
-        soft: &|frame, s| frame.fill_ellipse_aa(disc, &mut s.sides, &mut s.cells, Cover(RED)).unwrap(),
-        told: &|told, s| coverage::ellipse(disc, &mut s.sides, &mut s.cells, WINDOW, told).unwrap(),
+        soft: &|frame, _| frame.fill_ellipse_aa(disc, Cover(RED)),
+        told: &|told, _| coverage::ellipse(disc, WINDOW, told),
     };
     print(&shape, memory, scratch);
 }
