@@ -716,6 +716,10 @@ mod tests {
         assert_eq!(unknown("<style>path:{</style>"), "the style sheet `path:{`");
         assert!(File::parse("<html/>").is_err_and(|error| error == "`html` is no SVG"));
         assert!(File::parse("<svg").is_err_and(|error| !error.contains('\n')));
+        let dark =
+            "<style>@import 'x'; path { fill: red } @media (dark) { g { fill: red } path { fill: none } }</style>";
+        let (pixels, unknown) = drawn(&format!("{dark}<path d='M2 2h5v5z'/>"));
+        assert_eq!((pixels.len(), &unknown.join("; ")[..]), (15, "rules of style sheets that begin with `@`"));
         let circle = "<g id='a'><use href='#a'/></g>";
         assert_eq!(drawn(circle).1, ["a `use` of something that is not there"], "a circle of references ends");
     }
