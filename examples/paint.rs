@@ -92,7 +92,7 @@ impl Options {
                 Long("bits") => options.bits = arguments.value()?.parse_with(parse_bits)?,
                 Long("size") => options.size = arguments.value()?.parse_with(parse_size)?,
                 Long("script") => options.script = Some(arguments.value()?.string()?),
-                Long("output") => options.output = arguments.value()?.string()?,
+                Long("out" | "output") => options.output = arguments.value()?.string()?,
                 Short('h') | Long("help") => return Ok(None),
                 _ => return Err(argument.unexpected()),
             }
