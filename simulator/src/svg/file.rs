@@ -33,6 +33,10 @@ const NESTED: usize = 512;
 const MOST: usize = 1 << 26;
 const ELEMENT: usize = 64;
 
+/// Attributes that are named, and not followed.
+const LEFT_OUT: [&str; 8] =
+    ["mask", "clip-path", "filter", "marker-start", "marker-mid", "marker-end", "marker", "transform-origin"];
+
 /// An SVG file.
 #[derive(Debug)]
 pub struct File {
@@ -362,8 +366,6 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
             }
             None => map,
         };
-        const LEFT_OUT: [&str; 8] =
-            ["mask", "clip-path", "filter", "marker-start", "marker-mid", "marker-end", "marker", "transform-origin"];
         for what in LEFT_OUT {
             if get(what).is_some_and(|value| value != "none") {
                 self.unknown.insert(format!("the attribute `{what}`"));
@@ -379,8 +381,6 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
                     self.read(child, &style, map, depth.more());
                 }
             }
-            // It is drawn where it is used.
-            "symbol" => {}
             "use" => {
                 let href = node.attributes().find(|attribute| attribute.name() == "href").map(|a| a.value());
                 let id = href.and_then(|href| href.strip_prefix('#'));
@@ -405,7 +405,8 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
                     _ => self.read(target, &style, map, depth),
                 }
             }
-            "defs" | "title" | "desc" | "metadata" | "style" | "namedview" | "script" | "linearGradient"
+            // Symbols are drawn where they are used.
+            "symbol" | "defs" | "title" | "desc" | "metadata" | "style" | "namedview" | "script" | "linearGradient"
             | "radialGradient" | "clipPath" | "mask" | "filter" | "marker" | "pattern" | "SVGTestCase" => {}
             _ => match data(name, &said, style.whole) {
                 Some(data) if style.is_visible => self.mark(node, &data, map, style),
@@ -845,7 +846,8 @@ mod tests {
         assert_eq!(drawn(&nested(600)).1, ["what lies in 512 elements and more"]);
         let mut many = format!("<defs><g id='u0'>{SQUARE}</g>");
         for i in 1..16 {
-            many += &format!("<g id='u{i}'>{}</g>", format!("<use href='#u{}'/>", i - 1).repeat(9));
+            let uses = format!("<use href='#u{}'/>", i - 1).repeat(9);
+            many.extend(["<g id='u", &i.to_string(), "'>", &uses, "</g>"]);
         }
         let text = format!("<svg>{many}</defs><use href='#u15'/></svg>");
         assert!(File::parse(&text).expect("an SVG file").unknown.contains("what comes after 67108864 bytes of paths"));

@@ -99,11 +99,18 @@ impl EdgeSlot {
         self.crossing.set(Stepper::new(d, (first, rest), (slope, part << 8)));
     }
 
-    /// Takes the side of another slot, as far as the rows above `bottom`. What else is in the slot stays there.
-    pub(super) fn take_over(&mut self, other: &Self, bottom: i32) {
-        self.crossing.set(other.crossing.get());
-        self.y.set(other.y.get());
-        self.end = other.end().min(bottom).wrapping_mul(4) | (other.end & 3);
+    /// Its side, as far as the rows above `bottom`: what [`take_over`](Self::take_over) takes.
+    #[inline(always)]
+    pub(super) fn side_above(&self, bottom: i32) -> (Stepper, i32, i32) {
+        (self.crossing.get(), self.y.get(), self.end().min(bottom).wrapping_mul(4) | (self.end & 3))
+    }
+
+    /// Takes the side of another slot. What else is in the slot stays there.
+    #[inline(always)]
+    pub(super) fn take_over(&mut self, (crossing, y, end): (Stepper, i32, i32)) {
+        self.crossing.set(crossing);
+        self.y.set(y);
+        self.end = end;
     }
 
     /// The remainder of its crossing, and the divisor.

@@ -245,9 +245,9 @@ impl Crowd {
             self.filled = 0;
             for i in 0..table.len() {
                 let Some(slot) = table.get(i).filter(|slot| slot.y.get() < self.bottom) else { continue };
-                let slot = slot.clone();
+                let side = slot.side_above(self.bottom);
                 if let Some(place) = table.get_mut(self.filled) {
-                    place.take_over(&slot, self.bottom);
+                    place.take_over(side);
                 }
                 self.filled = self.filled.wrapping_add(1);
             }
