@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use embedded_raster::{
     px,
     raster::stroke::{self as thick, Dashing},
-    Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, PointFx, Rect, Stroke,
+    Cap, ClippedSpan, EdgeSlot, FillRule, Join, Path, PathSegment, PointFx, Rect, Stroke,
 };
 use fixed::types::I24F8;
 use twins::{
@@ -226,6 +226,17 @@ fn round_strokes_are_what_is_near_the_line() {
 }
 
 /// Butt and square ends: along the line and across it.
+/// At its end this curve is slow, as the last control point is near: nearly all of its turn is in the last two pixels. The true border
+/// comes to row 48 at column 9, and 0.14 pixels inside of it at column 10; by the turn that the mean speed tells, it came there at column
+/// 12, 0.31 pixels inside.
+#[test]
+fn curves_that_turn_where_they_are_slow() {
+    let [a, d, b] = [(39_788, 13_521), (2_961, 12_541), (2_596, 12_831)].map(|(x, y)| PointFx::from_bits(x, y));
+    let path = [PathSegment::MoveTo(a), PathSegment::CubicTo(a, d, b)];
+    let runs = stroked(Path::new(&path), &Stroke::new(I24F8::from_bits(913)), Rect::new(0, 0, 60, 60));
+    assert!(runs.first().is_some_and(|&(y, x0, _)| y == 48 && x0 <= 10), "{runs:?}");
+}
+
 #[test]
 fn lines_are_rectangles() {
     let mut rng = Rng::new(513);

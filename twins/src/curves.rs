@@ -247,7 +247,25 @@ fn is_flat_beside(points: &[Units], (from, to): (i128, i128), width: i32) -> boo
     if turn >= square * 4096 {
         return false;
     }
-    let rest = 128 - (turn / square).pow(2) * i128::from(width) / if width <= THIN { 1 << 22 } else { 1 << 26 };
+    let mut turn = turn / square;
+    // The ways at the ends, as seen along the chord.
+    let along = |w: (i128, i128)| (w.0 * c.0 + w.1 * c.1).div_euclid(scale);
+    let speeds = [square - along(u), square + along(v)];
+    if speeds.iter().any(|speed| speed * 4 < square * 3) {
+        let mut ends = 0;
+        for (speed, w) in speeds.into_iter().zip([u, v]) {
+            let part = (across(w) - c.0.abs() - c.1.abs()).max(0) * 4096 / scale;
+            if part > 0 && (speed <= 0 || part >= speed * 4096) {
+                return false;
+            }
+            ends += if part > 0 { part / speed } else { 0 };
+        }
+        if ends >= 4096 {
+            return false;
+        }
+        turn = turn.max(ends);
+    }
+    let rest = 128 - turn.pow(2) * i128::from(width) / if width <= THIN { 1 << 22 } else { 1 << 26 };
     rest >= 32 && [u, v].iter().all(|&w| across(w).pow(2) <= rest.pow(2) * square)
 }
 

@@ -110,6 +110,12 @@ impl Bends {
             return false;
         }
         let (turn, _) = div_rem_wide(sum, square);
+        let Some(ends) =
+            turn_of_slow_ends([first, second].map(|w| (dot(w, c).wrapping_shr(scale), across(w))), c, scale, square)
+        else {
+            return false;
+        };
+        let turn = turn.max(ends);
         // 4 (D - w T^2 / 16), rounded up.
         let down = if width <= THIN { 22 } else { 26 };
         let turned = u64::from(turn.wrapping_mul(turn)).wrapping_mul(u64::from(width)).wrapping_shr(down);
@@ -130,6 +136,39 @@ impl Bends {
         // ends.
         size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
     }
+}
+
+/// Where an end of a part is slow, it turns there by more than T tells: the angle between its chord and its ways at both ends, in units
+/// of 2^-12, rounded down; 0 if both ends have three quarters of the mean speed, `None` if it is 1 or more. `bends` are the products
+/// of W(1/3) and W(2/3) with c, along and across.
+#[inline(never)]
+fn turn_of_slow_ends([first, second]: [(i64, i64); 2], c: (i32, i32), scale: u32, square: NonZeroU32) -> Option<u32> {
+    let mean = i64::from(square.get());
+    // The ways are c - W(1/3) and c + W(2/3).
+    let speeds = [mean.wrapping_sub(first.0), mean.wrapping_add(second.0)];
+    if speeds.iter().all(|&speed| speed.wrapping_mul(4) >= mean.wrapping_mul(3)) {
+        return Some(0);
+    }
+    // W is rounded: an end that stands still, as where a control point lies on it, turns by nothing.
+    let rounding = u64::from(c.0.unsigned_abs()).wrapping_add(c.1.unsigned_abs().into());
+    let mut turn = 0_u32;
+    for (speed, (_, across)) in speeds.into_iter().zip([first, second]) {
+        let across = (across.unsigned_abs().saturating_sub(rounding) << 12).wrapping_shr(scale);
+        if across > 0 {
+            let speed = u32::try_from(speed).ok().and_then(NonZeroU32::new)?;
+            if across >= u64::from(speed.get()) << 12 {
+                return None;
+            }
+            turn = turn.wrapping_add(div_rem_wide(across, speed).0);
+        }
+    }
+    Some(turn).filter(|&turn| turn < 1 << 12)
+}
+
+/// The scalar product of two vectors.
+fn dot(a: (i32, i32), b: (i32, i32)) -> i64 {
+    let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
+    product(a.0, b.0).wrapping_add(product(a.1, b.1))
 }
 
 /// Whether all coordinates are from -2^15 to below 2^15.

@@ -50,6 +50,9 @@
 //! 1.25 pixels, it is `w T^2` instead: then one line turns so little that its straight sides hardly differ from the curve's. A part
 //! that is flat by the second line only is a cusp, or nearly one: what turns there is a join.
 //!
+//! Where an end of a part has less than 3/4 of its mean speed, it turns by more than that: then T is at least the sum of the tangents of
+//! the angles between c and the ways at both ends, c - W(1/3) and c + W(2/3).
+//!
 //! Where `w |V x c| >= m |c|^2` for V = W(0) or W(1), m being the longer component of c, the radius of the curve may be less than
 //! w / 2, and the inner border may go backwards. There the part has to turn evenly as well: with
 //! `w |(W(0) - W(1)) x c| <= 192 |c|^2` no offset ends more than 24 units from where it would if the part turned evenly.
