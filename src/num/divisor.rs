@@ -203,7 +203,6 @@ fn high_product(a: u64, b: u64) -> (u64, u32) {
 ///
 /// The first digit is the reciprocal of 32 bits, cut down by one more. What is left, times the whole reciprocal, is the second one,
 /// too small by less than 4.
-#[inline(always)]
 fn reciprocal(d: u32) -> u64 {
     let (wide, inverse) = (u64::from(d), recip::reciprocal(d));
     let high = 1 << 31 | inverse >> 1;
