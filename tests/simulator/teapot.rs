@@ -272,13 +272,15 @@ fn each_view_at_several_depths() {
 
 #[test]
 fn bands_show_the_whole() {
+    let mut choice = Rng::new(1);
     for view in View::ALL {
         let mesh = teapot(view);
         for bits in [1, 2, 4, 8, 16, 24, 32] {
             let whole = draw(bits, &mesh, view, &camera(), None).expect("it has pixels");
             // Depths of one kind differ in how they store a pixel: that has tests of its own.
             let all = [1, 7, 16, HEIGHT - 1, HEIGHT, u16::MAX];
-            for &rows in if [1, 4, 16].contains(&bits) { &all[..] } else { &all[2..3] } {
+            let some = if [1, 4, 16].contains(&bits) { &all[..] } else { &all[2..3] };
+            for &rows in some.iter().filter(|_| choice.takes_it()) {
                 let bands = draw(bits, &mesh, view, &camera(), Some(rows)).expect("it has pixels");
                 assert!(bands.picture == whole.picture, "{view:?} at {bits} bits in bands of {rows} rows");
                 assert_eq!(bands.fragments, whole.fragments, "{view:?} in bands of {rows} rows");
