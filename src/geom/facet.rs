@@ -302,8 +302,8 @@ impl SmallFacet {
     /// The least twice its area may be.
     const LEAST_AREA: u32 = 1 << 17;
 
-    /// The triangle between three places, in either winding. It means nothing if that is not [small](Self::is_small): so it is where
-    /// the caller wants it, and is not copied.
+    /// The triangle between three places, in either winding. Of one that is not [small](Self::is_small) nothing is computed: the result
+    /// says that it is not. An `Option` would be copied once more.
     // Not inlined: it is the same for all values.
     #[inline(never)]
     pub(crate) fn new(corners: &[PointFx; 3]) -> Self {

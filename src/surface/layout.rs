@@ -385,7 +385,7 @@ pub trait Layout: 'static {
         }
     }
 
-    /// What is of use for all opaque glyphs of two colours: nothing, unless pixels have 16 bits.
+    /// As [`Surface::pairs`](super::Surface::pairs).
     #[doc(hidden)]
     #[inline(always)]
     fn pairs(_on: Self::Color, _off: Self::Color) -> Pairs {

@@ -29,8 +29,8 @@ pub struct Strip<'a> {
     rows: &'a [u8],
 }
 
-/// What a surface makes ready of the two colours of opaque strips, once for many: see [`Surface::pairs`](super::Surface::pairs). Nothing
-/// where nothing is of use.
+/// The [pairs](super::Surface::pairs) of the two colours of opaque strips. In builds that draw no strip by pairs it is empty, and costs
+/// nothing to pass on: an array of one reference, or of none.
 #[derive(Copy, Clone, Debug)]
 pub struct Ready<'a>([&'a Pairs; PAIRS as usize]);
 

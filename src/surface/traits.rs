@@ -230,7 +230,8 @@ pub trait Surface {
         });
     }
 
-    /// What is of use for all opaque glyphs of two colours: made once for many.
+    /// The two pixels for each two bits of a glyph, where pixels have 16 bits: a table for all opaque glyphs in the same two colours. Other
+    /// surfaces do not look at it.
     #[doc(hidden)]
     fn pairs(&self, _on: Self::Color, _off: Self::Color) -> Pairs {
         Pairs::default()

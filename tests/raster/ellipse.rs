@@ -67,7 +67,7 @@ fn check_units(centre: (i32, i32), radii: (i32, i32), window: Rect) -> bool {
 fn every_box_up_to_120() {
     let (mut rng, mut choice) = (Rng::new(201), Rng::new(202));
     for width in 0..=120 {
-        for height in (0..=120).filter(|_| choice.takes_it()) {
+        for height in (0..=120).filter(|_| choice.takes_case()) {
             let area = Rect::new(-3, 2, width - 3, height + 2);
             check(area, Rect::new(-4, 1, width - 1, height + 4));
             let (x, y) = (rng.range(-4, 118), rng.range(1, 122));
@@ -115,7 +115,7 @@ fn outlines_are_closed_and_symmetric() {
 fn mirror_images_are_the_whole() {
     let (mut rng, mut choice) = (Rng::new(211), Rng::new(212));
     let sizes = (1..=400)
-        .filter(|_| choice.takes_it())
+        .filter(|_| choice.takes_case())
         .chain((0..cases(60)).map(|_| rng.int(401, 5_000)))
         .chain([8_191, 8_192, 16_383]);
     for (i, size) in (0..).zip(sizes) {

@@ -378,7 +378,7 @@ fn few_slots_cost_no_more_than_they_are_too_few() {
             let is_bounded = name.starts_with("5 %") || name.starts_with("pillars") || name == "a comb";
             let part = if is_bounded { wanted * 9 / 10 } else { 700 };
             for capacity in [1, 3, 16, 64, 256, 1_000, wanted / 2, part] {
-                if capacity >= 1 && capacity < wanted && choice.takes_it() {
+                if capacity >= 1 && capacity < wanted && choice.takes_case() {
                     let (_, reads) = reads(&picture, (0, 0), reach, capacity);
                     let bound = 8 * pixels * wanted.div_ceil(capacity) as u64;
                     assert!(

@@ -69,8 +69,9 @@ impl Rng {
         self.below(n) == 0
     }
 
-    /// Whether to take the next of the cases that are counted one by one: as often as [`cases`] takes those that are random.
-    pub fn takes_it(&mut self) -> bool {
+    /// For a test that goes through a list of cases: whether it takes the next one. It takes as large a share of them as [`cases`] does of
+    /// random ones; all, unless the variable asks for less.
+    pub fn takes_case(&mut self) -> bool {
         self.index(100) < percent()
     }
 

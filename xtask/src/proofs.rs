@@ -10,7 +10,8 @@ use crate::firmware::project;
 use crate::toolchain::Toolchain;
 use crate::Chip;
 
-/// Checks that the crate builds for a chip, warnings as errors. Whatever keeps a chip from it shows before there is code.
+/// Checks that the crate compiles for a chip, warnings as errors. No machine code is made: what a chip may lack is a type or a function
+/// of the core library, such as atomic accesses.
 pub fn cross(chip: Chip) -> Result<()> {
     let mut cargo = Toolchain::find(chip)?.cargo_check(chip);
     cargo.args(["--quiet", "--release", "--package", "embedded-raster", "--lib"]).current_dir(project());
