@@ -1,6 +1,6 @@
 //! Small scenes at every depth against the pictures in `tests/golden`.
 //!
-//! `BLESS=1 cargo test --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
+//! `BLESS=1 cargo test --workspace --test golden` writes the pictures anew: look at each before committing it. On a mismatch what was
 //! drawn and where it differs are written beside the picture.
 
 #[path = "golden/letters.rs"]

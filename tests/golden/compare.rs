@@ -10,7 +10,9 @@ pub(crate) fn is_blessing() -> bool {
 
 /// Compares a picture with the one of that name; says what is wrong with it. With `BLESS=1`, writes it.
 pub(crate) fn compare(name: &str, picture: &Picture) -> Option<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    // Tests and examples of several packages are compared.
+    let mut folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("tests/golden"));
+    let folder = folders.find(|folder| folder.is_dir()).expect("a folder of pictures");
     let golden = folder.join(format!("{name}.png"));
     if is_blessing() {
         picture.write_png(&golden).expect("pictures can be written");
