@@ -57,7 +57,9 @@ use crate::{
 /// ```
 #[inline(always)]
 pub fn fill(corners: [PointFx; 3], window: Rect, sink: impl Sink) {
-    let corners = sorted(corners.map(bits));
+    // Written out: mapped by a loop, the corners would be in memory, three times.
+    let [a, b, c] = corners;
+    let corners = sorted([bits(a), bits(b), bits(c)]);
     if SUMS {
         sums::fill(corners, window, sink);
     } else {

@@ -1,7 +1,7 @@
 //! Triangles by quotient and remainder: any size, on any chip.
 
 use crate::{
-    num::round::first_centre_from,
+    num::{round::first_centre_from, stepper::Stepper},
     raster::slope::Slope,
     span::{Rect, Sink, Span},
 };
@@ -14,23 +14,24 @@ pub(super) fn fill([a, b, c]: [(i32, i32); 3], window: Rect, mut sink: impl Sink
         return;
     }
     let turn = first_centre_from(b.1).min(y1);
-    let start = |upper, lower, (y, end): (i32, i32)| {
-        Slope::new(upper, lower).map(|side| side.stepper_at(y, end.wrapping_sub(y)))
-    };
-    let Some(mut long) = start(a, c, (y0, y1)) else { return };
+    let Some(long) = Slope::new(a, c) else { return };
+    let mut sides = [long.stepper_at(y0, y1.wrapping_sub(y0)), Stepper::still(0)];
     let mut y = y0;
     while y < y1 {
         let (upper, lower, end) = if y < turn { (a, b, turn) } else { (b, c, y1) };
-        let Some(mut short) = start(upper, lower, (y, end)) else { return };
+        let Some(short) = Slope::new(upper, lower) else { return };
+        sides[1] = short.stepper_at(y, end.wrapping_sub(y));
         while y < end {
             #[cfg(test)]
             crate::num::tally::add(crate::num::tally::Work::Step);
-            let (x0, x1) = (long.value.min(short.value), long.value.max(short.value));
+            let [long, short] = [sides[0].value, sides[1].value];
+            let (x0, x1) = (long.min(short), long.max(short));
             if let Some(span) = (Span { y, x0, x1 }).clip_columns(window) {
                 sink.span(span);
             }
-            long.step();
-            short.step();
+            for side in &mut sides {
+                side.step();
+            }
             y = y.wrapping_add(1);
         }
     }
