@@ -109,6 +109,87 @@ fn ellipses_cover_what_lies_in_their_curves() {
     println!("ellipses are at most {worst} 255ths off");
 }
 
+/// The same for radii of any size: of 512 slices of the pixel, along the axis that the curve goes along, the parts that lie inside. Nothing
+/// cancels out that is as large as the radii.
+fn covered_by_large_ellipse(centre: (f64, f64), radii: (f64, f64), (x, y): (i32, i32)) -> f64 {
+    const SLICES: i32 = 512;
+    let (left, top) = (f64::from(x) - centre.0, f64::from(y) - centre.1);
+    let slope = (left + 0.5).abs() * radii.1 * radii.1 - (top + 0.5).abs() * radii.0 * radii.0;
+    let ((along, across), (r, other)) =
+        if slope < 0.0 { ((left, top), (radii.0, radii.1)) } else { ((top, left), (radii.1, radii.0)) };
+    let slice = |i: i32| {
+        let t = (along + (f64::from(i) + 0.5) / f64::from(SLICES)) / r;
+        if t.abs() >= 1.0 {
+            return 0.0;
+        }
+        let half = other * ((1.0 - t) * (1.0 + t)).sqrt();
+        ((across + 1.0).min(half) - across.max(-half)).max(0.0)
+    };
+    (0..SLICES).map(slice).sum::<f64>() / f64::from(SLICES)
+}
+
+/// At any place of the curve, of circles, and of ellipses as thin as they may be.
+#[test]
+fn ellipses_of_all_radii_cover_what_lies_in_their_curves() {
+    let (mut rng, mut worst) = (Rng::new(1_511), [0.0_f64; 32]);
+    for i in 0..cases(4_000) {
+        let bits = rng.int(12, 31);
+        let large = rng.int(1 << (bits - 1), i32::MAX >> (31 - bits));
+        let small = [large, rng.int(1, large), 1 << rng.int(0, bits - 1), rng.int(1, 4_000).min(large)][i % 4];
+        let radii = if i % 8 < 4 { (large, small) } else { (small, large) };
+        let centre = (rng.int(-5_000, 5_000), rng.int(-5_000, 5_000));
+        let ellipse =
+            Ellipse::new(PointFx::from_bits(centre.0, centre.1), I24F8::from_bits(radii.0), I24F8::from_bits(radii.1));
+        let units = |n: i32| f64::from(n) / 256.0;
+        let (middle, half) = ((units(centre.0), units(centre.1)), (units(radii.0), units(radii.1)));
+        // Anywhere, or near one of the ends of an axis.
+        let angle = match i / 8 % 3 {
+            0 => f64::from(rng.int(0, 4)) * std::f64::consts::FRAC_PI_2,
+            1 => f64::from(rng.int(0, 4)) * std::f64::consts::FRAC_PI_2 + f64::from(rng.int(-1_000, 1_000)) / 1e6,
+            _ => f64::from(rng.int(0, 62_832)) / 1e4,
+        };
+        let (x, y) = ((middle.0 + half.0 * angle.cos()) as i32, (middle.1 + half.1 * angle.sin()) as i32);
+        let (right, down) = (rng.int(0, 16), rng.int(0, 16));
+        let window = Rect::new(x - right, y - down, x - right + 16, y - down + 16);
+        let got = told(window, |_, _, levels| coverage::ellipse(ellipse, window, levels));
+        for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
+            let wanted = covered_by_large_ellipse(middle, half, (x, y)) * 255.0;
+            let error = (f64::from(got.at(x, y)) - wanted).abs();
+            let worst = &mut worst[bits as usize];
+            *worst = worst.max(error);
+        }
+    }
+    println!("ellipses are at most so many 255ths off, by the bits of the larger radius: {worst:?}");
+    assert!(worst[..=26].iter().all(|&worst| worst <= 1.6), "{worst:?}");
+    assert!(worst[..=30].iter().all(|&worst| worst <= 2.5) && worst[31] <= 5.5, "{worst:?}");
+}
+
+/// Boxes as large as the type allows: the middle is full, also up to the ends of the axes, and the corners are empty.
+#[test]
+fn ellipses_in_endless_boxes_have_a_middle_and_corners() {
+    let (low, high) = (i32::MIN, i32::MAX);
+    let boxes = [Rect::new(low, low, high, high), Rect::new(low, -9, high, 9), Rect::new(-9, low, 9, high)];
+    let boxes = boxes.into_iter().chain([Rect::new(low, low, 0, high), Rect::new(-3, 5, high, high)]);
+    for area in boxes {
+        let level = |x: i32, y: i32| {
+            let window = Rect::new(x, y, x + 1, y + 1);
+            told(window, |_, _, levels| coverage::ellipse(Ellipse::in_box(area), window, levels)).levels[0]
+        };
+        let middle = |a: i32, b: i32| ((i64::from(a) + i64::from(b)) / 2) as i32;
+        let (x, y) = (middle(area.x0, area.x1), middle(area.y0, area.y1));
+        // The ends of a thin one are not full.
+        let inset = if area.width().min(area.height()) < 99 { 1 << 29 } else { 3 };
+        let [left, right] = [area.x0.saturating_add(inset).min(x), area.x1.saturating_sub(inset + 1).max(x)];
+        let [top, bottom] = [area.y0.saturating_add(inset).min(y), area.y1.saturating_sub(inset + 1).max(y)];
+        for (x, y) in [(x, y), (left, y), (right, y), (x, top), (x, bottom)] {
+            assert_eq!(level(x, y), 255, "({x}, {y}) in {area:?}");
+        }
+        for (x, y) in [(area.x0, area.y0), (area.x1 - 1, area.y0), (area.x0, area.y1 - 1), (area.x1 - 1, area.y1 - 1)] {
+            assert_eq!(level(x, y), 0, "({x}, {y}) in {area:?}");
+        }
+    }
+}
+
 #[test]
 fn rounded_rectangles_cover_their_area() {
     let window = Rect::new(-2, -2, 60, 50);

@@ -9,8 +9,9 @@
 //! ```
 //! **How exact.** Where the curve crosses a border is rounded down to 1/4096 pixel. The bulge is that of the ellipse, a segment of it,
 //! to 3 %. So a level is at most 0.9/255 off the true one of a circle, 1.6/255 off that of an ellipse or of a radius below 4 pixels.
-//! Beyond radii of 2^18 pixels, steps are coarser, so that radii stay below 2^30 of them: with a radius of 4 million pixels levels are
-//! up to 28/255 off.
+//! Beyond radii of 2^18 pixels, steps are coarser, so that radii stay below 2^30 of them: levels are at most 2.5/255 off up to radii of
+//! 2^22 pixels, and 5.5/255 up to 2^23, the end of the type. Ellipses in larger boxes are as far off as their steps are wide, `2^-30` of
+//! the radius.
 //!
 //! **Why a pixel needs nothing but its borders.** A row below the middle, or above it, holds pieces of the curve that only rise, or only
 //! fall. Each is one chord a pixel. The row of the centre is two such pieces, each with a part of the row's height; the column of the
@@ -41,7 +42,7 @@ use crate::{
     tune::{keep_rolled, COMPACT},
 };
 
-/// A pixel is `2^BITS` steps wide. Radii are below 2^30 steps: where they would not be, a pixel has fewer.
+/// A pixel is `2^BITS` steps wide. Radii are below 2^30 steps: where they would not be, a pixel has fewer, and at least one.
 const BITS: u32 = 12;
 
 /// An area of a pixel, in squares of a step.
@@ -52,7 +53,8 @@ const CHUNK: usize = 32;
 
 /// Tells what a circle or an ellipse covers. Where it is given by its box it touches the sides of it.
 ///
-/// Levels of a circle are at most 0.9/255 off the true area, of any ellipse 1.6/255, up to radii of 2^18 pixels.
+/// Levels of a circle are at most 0.9/255 off the true area, of any ellipse 1.6/255, up to radii of 2^18 pixels; up to 2^22 pixels
+/// 2.5/255.
 ///
 /// Work: a square root for each visible row, and for each visible border of two columns that the curve crosses.
 pub fn ellipse(ellipse: Ellipse, window: Rect, mut sink: impl Sink) {
@@ -66,7 +68,7 @@ struct Oval {
     /// The pixel of the centre, and where the centre lies in it.
     centre: (i32, i32),
     inset: (i32, i32),
-    /// Below 2^30.
+    /// Below 2^30, or below 2^31 where a pixel is one step.
     radii: (u32, u32),
     /// The larger one.
     circle: u32,
@@ -131,13 +133,13 @@ impl Oval {
         let (centre, radii) = ellipse.on_grid()?;
         // They come in 1/512 pixel, below 2^42.
         let zeros = signed_wide(magnitude(radii.0.max(radii.1))).leading_zeros();
-        let bits = zeros.wrapping_sub(25).min(BITS);
+        let bits = zeros.saturating_sub(25).min(BITS);
         let scaled =
             |n: i64| if bits >= 9 { n << (bits.wrapping_sub(9) & 31) } else { n >> (9_u32.wrapping_sub(bits) & 31) };
         let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)));
         let (large, small) = (rx.max(ry), NonZeroU32::new(rx.min(ry))?);
         let stretch = if rx == ry { None } else { Stretch::new(large, small) };
-        let bulge = if bits == BITS { Bulge::new(stretch, rx >= ry, small) } else { Bulge::default() };
+        let bulge = Bulge::new(stretch, rx >= ry, small, BITS.wrapping_sub(bits));
         let [x, y] = [centre.0, centre.1].map(scaled);
         let pixel = |place: i64| narrow(place >> bits);
         let inset = |place: i64| signed(distance(place & (1_i64 << bits).wrapping_sub(1)));
@@ -299,7 +301,7 @@ impl Oval {
         for level in levels {
             let u_in = u_out.wrapping_sub(1 << (self.bits & 15));
             let v_in = if piece.x_hi >= u_in { piece.hi } else { self.border(piece, u_in) };
-            *level = level_of(self.scaled(self.part(piece, (u_in, u_out), (v_in, v_out))));
+            *level = level_of(self.part(piece, (u_in, u_out), (v_in, v_out)));
             (u_out, v_out) = (u_in, v_in);
         }
     }
@@ -315,7 +317,7 @@ impl Oval {
         let inside = |column: i32| column.max(window.x0).min(window.x1);
         let first = inside(self.column(outer.wrapping_neg()));
         let (full, rest) = (inside(self.column(inner.wrapping_neg()).wrapping_add(1)), inside(self.column(inner)));
-        let end = inside(self.column(outer).wrapping_add(1));
+        let end = inside(self.column(outer).saturating_add(1));
         if first >= end {
             return;
         }
@@ -337,7 +339,7 @@ impl Oval {
                     }
                 }
             }
-            row.put(level_of(self.scaled(area)));
+            row.put(level_of(area));
             x = x.wrapping_add(1);
         }
         row.tell();
@@ -346,7 +348,7 @@ impl Oval {
     /// What a piece covers of a column, or of a part of it, on one side of the centre.
     fn side(&self, piece: &Piece, (u_in, u_out): (u32, u32)) -> u32 {
         if u_out <= piece.x_hi {
-            return u_out.wrapping_sub(u_in).wrapping_mul(piece.hi.wrapping_sub(piece.lo));
+            return self.scaled(u_out.wrapping_sub(u_in).wrapping_mul(piece.hi.wrapping_sub(piece.lo)) << 1);
         }
         if u_in >= piece.x_lo {
             return 0;
@@ -365,14 +367,14 @@ impl Oval {
         let (wide, high) = (to.wrapping_sub(from), v_in.wrapping_sub(v_out));
         let before = from.wrapping_sub(u_in).wrapping_mul(piece.hi.wrapping_sub(piece.lo));
         let heights = v_in.wrapping_add(v_out).wrapping_sub(piece.lo << 1);
-        let below = wide.wrapping_mul(heights) >> 1;
-        before.wrapping_add(below).wrapping_add(self.bulge.area(wide, high))
+        let twice = (before << 1).wrapping_add(wide.wrapping_mul(heights));
+        self.scaled(twice).wrapping_add(self.bulge.area(wide, high))
     }
 
-    /// An area in squares of a step of `2^-BITS` pixel.
+    /// An area of the pixel in squares of `2^-BITS` of it, by twice that area in squares of a step.
     #[inline(always)]
-    fn scaled(&self, area: u32) -> u32 {
-        (area << (2_u32.wrapping_mul(BITS.wrapping_sub(self.bits)) & 31)).min(FULL)
+    fn scaled(&self, twice: u32) -> u32 {
+        twice << (self.bulge.up << 1 & 31) >> 1
     }
 }
 
@@ -386,39 +388,45 @@ fn distance(n: i64) -> u32 {
 #[inline(always)]
 fn level_of(area: u32) -> u8 {
     // Below 2^32: 255 times 2^24 and a half.
-    low_u8(area.wrapping_mul(255).wrapping_add(FULL / 2) >> (2 * BITS))
+    low_u8(area.min(FULL).wrapping_mul(255).wrapping_add(FULL / 2) >> (2 * BITS))
 }
 
 /// The area between a chord and the curve. Both ends are measured in units of the shorter radius r: then a length T is T / r radii.
-#[derive(Copy, Clone, Default)]
+#[derive(Copy, Clone)]
 struct Bulge {
     /// `r / rx` and `r / ry` in `2^-16`: one of them is 1.
     parts: (u32, u32),
     /// `R / (12 r^2)`, with which a segment has `T^3` times that: in `2^-12` of a pixel's inverse.
     factor: u32,
-    /// `r^2 / 2^14` where the series has more than one part.
+    /// `r^2 / 2^14` where the series has more than one part, or where steps are coarser.
     small: Option<NonZeroU32>,
+    /// A step is `2^up` of those of `2^-BITS` pixel, in which all else is.
+    up: u32,
 }
 
 impl Bulge {
-    fn new(stretch: Option<Stretch>, is_wide: bool, small: NonZeroU32) -> Self {
+    fn new(stretch: Option<Stretch>, is_wide: bool, small: NonZeroU32, up: u32) -> Self {
         const ONE: u32 = 1 << 16;
         // 2^24 / 12, and 1.2 % more, as lengths are that much too short on average.
         const TWELFTH: u32 = 1_414_878;
-        let (up, shift, down) = stretch.map_or((1, 0, ONE), |s| (s.up, s.shift, s.down >> 16));
-        let ratio = product(up, TWELFTH) >> (shift & 31);
+        let (stretched, shift, down) = stretch.map_or((1, 0, ONE), |s| (s.up, s.shift, s.down >> 16));
+        let ratio = product(stretched, TWELFTH) >> (shift.wrapping_add(up) & 63);
         let factor = if ratio >> 32 >= u64::from(small.get()) { u32::MAX } else { div_rem_wide(ratio, small).0 };
-        let squared = small.get().min(1 << 14);
+        // The square of it fits.
+        let fine = (u64::from(small.get()) << (up & 15)).min((1 << 23) - 1);
+        let squared = low_u32(fine.wrapping_mul(fine) >> 14);
         Self {
             parts: if is_wide { (down, ONE) } else { (ONE, down) },
             factor,
-            small: NonZeroU32::new(squared.wrapping_mul(squared) >> 14).filter(|_| small.get() < 1 << 14),
+            small: NonZeroU32::new(squared).filter(|_| fine < 1 << 14 || up > 0),
+            up,
         }
     }
 
     /// Of a chord of at most a pixel in each direction.
     #[inline(always)]
     fn area(&self, wide: u32, high: u32) -> u32 {
+        let (wide, high) = (wide << (self.up & 15), high << (self.up & 15));
         let (p, q) = (wide.wrapping_mul(self.parts.0) >> 16, high.wrapping_mul(self.parts.1) >> 16);
         let square = p.wrapping_mul(p).wrapping_add(q.wrapping_mul(q));
         // The root of it to 3 %: 1, or 7/8 of the larger one and 1/2 of the smaller one.
@@ -426,8 +434,11 @@ impl Bulge {
         let length = large.max(large.wrapping_sub(large >> 3).wrapping_add(less >> 1));
         // At most 2^15 times 2^12.5, in 2^-26.
         let cube = (square >> 10).wrapping_mul(length);
-        let area = low_u32(product(cube, self.factor) >> 14);
-        let Some(small) = self.small else { return area };
+        let area = product(cube, self.factor) >> 14;
+        let Some(small) = self.small else { return low_u32(area) };
+        // What lies beyond the chord is half of its box at most. The ends are rounded, to steps that are wide for a small ellipse.
+        let half = wide.wrapping_mul(high) >> 1;
+        let area = low_u32(area.min(half.into()));
         // s^2 in 2^-16, at most a half.
         let s = square / small;
         let more = s.wrapping_mul(15_729) >> 16;
@@ -436,7 +447,7 @@ impl Bulge {
     }
 }
 
-/// `floor(root n)` for roots below 2^30, from a place near it.
+/// `floor(root n)` for roots below 2^31, from a place near it, which matters only for the time that it takes. Up to 2^30 that is short.
 #[cfg_attr(not(embedded_raster_compact), inline(always))]
 #[cfg_attr(embedded_raster_compact, inline(never))]
 fn near_root(n: u64, guess: u32) -> u32 {
@@ -447,7 +458,7 @@ fn near_root(n: u64, guess: u32) -> u32 {
         let step = rest.unsigned_abs() / twice;
         let way = if rest < 0 { signed(step).wrapping_neg() } else { signed(step) };
         root = root.wrapping_add_signed(way);
-        if step < 1 << 15 && step.wrapping_mul(step) <= root {
+        if step < 1 << 15 && step.wrapping_mul(step) <= root && root < (1 << 30) - 4 {
             // What is left of n, off by 2 roots at most.
             let square = signed(step.wrapping_mul(step));
             let mut left = rest.wrapping_sub(way.wrapping_mul(signed(twice.get()))).wrapping_sub(square);
