@@ -272,9 +272,7 @@ calls! {
     fill_sector_aa => with_scratch(|table, cells| {
         on.fill_sector_aa(a.ellipses[0], a.sector, table, cells, Dithered::<_, 4>(c))
     });
-    fill_ring_aa => with_scratch(|table, cells| {
-        on.fill_ring_aa(a.ellipses[0], a.ellipses[1], table, cells, Dithered::<_, 4>(c))
-    });
+    fill_ring_aa => on.fill_ring_aa(a.ellipses[0], a.ellipses[1], Dithered::<_, 4>(c));
     fill_ring_sector_aa => with_scratch(|table, cells| {
         on.fill_ring_sector_aa(a.ellipses, a.sector, table, cells, Dithered::<_, 4>(c))
     });

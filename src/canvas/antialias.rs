@@ -151,19 +151,9 @@ pub trait Antialias: Surface {
     }
 
     /// Fills what lies between two circles or ellipses: see [`coverage::ring`].
-    ///
-    /// # Errors
-    /// As for [`fill_polygon_aa`](Self::fill_polygon_aa).
     #[inline]
-    fn fill_ring_aa(
-        &mut self,
-        outer: Ellipse,
-        inner: Ellipse,
-        table: &mut [CoverageSlot],
-        cells: &mut [i32],
-        paint: impl Paint<Self>,
-    ) -> Result<(), EdgeTableFull> {
-        coverage::ring(outer, inner, table, cells, self.window(), Brush::new(self, paint))
+    fn fill_ring_aa(&mut self, outer: Ellipse, inner: Ellipse, paint: impl Paint<Self>) {
+        coverage::ring(outer, inner, self.window(), Brush::new(self, paint));
     }
 
     /// Fills the part of a ring that lies in a sector: see [`coverage::ring_sector`].

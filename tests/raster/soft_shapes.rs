@@ -8,7 +8,7 @@
 
 use embedded_raster::{
     raster::coverage::{self, CoverageSlot},
-    Angle, Ellipse, FillRule, PointFx, Radii, Rect, Sector, Stroke,
+    Angle, ClippedSpan, Ellipse, FillRule, PointFx, Radii, Rect, Sector, Stroke,
 };
 use fixed::types::I24F8;
 use twins::{
@@ -142,15 +142,7 @@ fn ellipses_of_all_radii_cover_what_lies_in_their_curves() {
             Ellipse::new(PointFx::from_bits(centre.0, centre.1), I24F8::from_bits(radii.0), I24F8::from_bits(radii.1));
         let units = |n: i32| f64::from(n) / 256.0;
         let (middle, half) = ((units(centre.0), units(centre.1)), (units(radii.0), units(radii.1)));
-        // Anywhere, or near one of the ends of an axis.
-        let angle = match i / 8 % 3 {
-            0 => f64::from(rng.int(0, 4)) * std::f64::consts::FRAC_PI_2,
-            1 => f64::from(rng.int(0, 4)) * std::f64::consts::FRAC_PI_2 + f64::from(rng.int(-1_000, 1_000)) / 1e6,
-            _ => f64::from(rng.int(0, 62_832)) / 1e4,
-        };
-        let (x, y) = ((middle.0 + half.0 * angle.cos()) as i32, (middle.1 + half.1 * angle.sin()) as i32);
-        let (right, down) = (rng.int(0, 16), rng.int(0, 16));
-        let window = Rect::new(x - right, y - down, x - right + 16, y - down + 16);
+        let (window, _) = somewhere_on(&mut rng, middle, half, i / 8);
         let got = told(window, |_, _, levels| coverage::ellipse(ellipse, window, levels));
         for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
             let wanted = covered_by_large_ellipse(middle, half, (x, y)) * 255.0;
@@ -188,6 +180,83 @@ fn ellipses_in_endless_boxes_have_a_middle_and_corners() {
             assert_eq!(level(x, y), 0, "({x}, {y}) in {area:?}");
         }
     }
+}
+
+/// A place of a curve, and a window around it: anywhere, or near one of the ends of an axis. With the direction in which it lies.
+fn somewhere_on(rng: &mut Rng, centre: (f64, f64), radii: (f64, f64), kind: usize) -> (Rect, f64) {
+    let quarter = f64::from(rng.int(0, 4)) * std::f64::consts::FRAC_PI_2;
+    let angle = match kind % 3 {
+        0 => quarter,
+        1 => quarter + f64::from(rng.int(-1_000, 1_000)) / 1e6,
+        _ => f64::from(rng.int(0, 62_832)) / 1e4,
+    };
+    let (x, y) = ((centre.0 + radii.0 * angle.cos()) as i32, (centre.1 + radii.1 * angle.sin()) as i32);
+    let (right, down) = (rng.int(0, 16), rng.int(0, 16));
+    (Rect::new(x - right, y - down, x - right + 16, y - down + 16), angle)
+}
+
+/// Rings of any width, sectors and sectors of rings around their arcs. A disc and a ring around it add up.
+#[test]
+fn arcs_of_all_radii_are_near_their_curves() {
+    let (mut rng, mut worst) = (Rng::new(1_512), [[0.0_f64; 32]; 4]);
+    let names = ["disc", "ring", "sector", "sector of a ring"];
+    for i in 0..cases(1_500) {
+        let bits = rng.int(11, 30);
+        let large = rng.int(1 << (bits - 1), (1 << bits) - 1);
+        let radii = match i % 4 {
+            0 | 1 => (large, large),
+            2 => (large, rng.int(large / 9, large)),
+            _ => (rng.int(large / 9, large), large),
+        };
+        // Thin ones, of less than a pixel, and wide ones.
+        let width = rng.pick(&[40, 130, 300, 900]).min(radii.0.min(radii.1) - 8);
+        let width = if rng.one_in(3) { radii.0.min(radii.1) / 2 } else { width };
+        let inner = (radii.0 - width, radii.1 - width);
+        let centre = (rng.int(-5_000, 5_000), rng.int(-5_000, 5_000));
+        let ellipse = |(rx, ry): (i32, i32)| {
+            Ellipse::new(PointFx::from_bits(centre.0, centre.1), I24F8::from_bits(rx), I24F8::from_bits(ry))
+        };
+        let (outer, inside) = (ellipse(radii), ellipse(inner));
+        let units = |(x, y): (i32, i32)| (f64::from(x) / 256.0, f64::from(y) / 256.0);
+        let (window, angle) =
+            somewhere_on(&mut rng, units(centre), units(if i % 3 == 0 { inner } else { radii }), i / 4);
+        let at = |away: f64| Angle::from_bits(((angle + away) / std::f64::consts::TAU * 4_294_967_296.0) as i64 as u32);
+        // The arc is long enough to reach beyond the window, and ends elsewhere.
+        let away = 64.0 / f64::from(radii.0.min(radii.1)) * 256.0;
+        let ends = (away + f64::from(rng.int(0, 900)) / 1e3, away + f64::from(rng.int(0, 900)) / 1e3);
+        let round = radii.0 == radii.1 && ends.0 < 1.5 && ends.1 < 1.5 && inner.0 > 64 * 256;
+        let sector = Sector::new(at(-ends.0), at(ends.1));
+        let disc = told(window, |_, _, levels| coverage::ellipse(inside, window, levels));
+        let ring = told(window, |_, _, levels| coverage::ring(outer, inside, window, levels));
+        let slice = told(window, |table, cells, levels| {
+            coverage::sector(outer, sector, table, cells, window, levels).expect("enough slots");
+        });
+        let part = told(window, |table, cells, levels| {
+            coverage::ring_sector(outer, inside, sector, (table, cells), window, levels).expect("enough slots");
+        });
+        for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
+            let covered = |radii: (i32, i32)| covered_by_large_ellipse(units(centre), units(radii), (x, y)) * 255.0;
+            let (all, hole) = (covered(radii), covered(inner));
+            let found = [
+                (disc.at(x, y), hole),
+                (ring.at(x, y), all - hole),
+                (slice.at(x, y), if round { all } else { slice.at(x, y).into() }),
+                (part.at(x, y), if round { all - hole } else { part.at(x, y).into() }),
+            ];
+            for (kind, (level, wanted)) in found.into_iter().enumerate() {
+                let error = (f64::from(level) - wanted).abs();
+                worst[kind][bits as usize] = worst[kind][bits as usize].max(error);
+            }
+            if all > 254.99 && hole > 0.01 {
+                let sum = u32::from(disc.at(x, y)) + u32::from(ring.at(x, y));
+                assert!((254..=256).contains(&sum), "{sum} at ({x}, {y}): {radii:?}, {inner:?} at {centre:?}");
+            }
+        }
+    }
+    for (name, worst) in names.iter().zip(worst) {
+        println!("{name} are at most so many 255ths off, by the bits of the radius: {:.2?}", &worst[11..]);
+    }
+    assert!(worst[..2].as_flattened().iter().all(|&worst| worst <= 4.5), "{worst:?}");
 }
 
 #[test]
@@ -392,9 +461,7 @@ fn sectors_and_rings_cover_what_lies_in_them() {
             coverage::ring_sector(ellipse(1), ellipse(2), sector, (table, cells), window, levels)
                 .expect("enough slots");
         });
-        let ring = told(window, |table, cells, levels| {
-            coverage::ring(ellipse(1), ellipse(2), table, cells, window, levels).expect("enough slots");
-        });
+        let ring = told(window, |_, _, levels| coverage::ring(ellipse(1), ellipse(2), window, levels));
         for (x, y) in (-15..16).flat_map(|y| (-15..16).map(move |x| (x, y))) {
             let all = |(rx, ry): (f64, f64)| covered_by_sector(middle, (rx, ry), (turns(from), turns(to)), (x, y));
             let (outer, half) = (all(radii), (units(rx / 2), units(ry / 2)));
@@ -414,6 +481,47 @@ fn sectors_and_rings_cover_what_lies_in_them() {
         }
     }
     println!("sectors and rings are at most {worst} 255ths off samples");
+}
+
+/// In a pixel that both ellipses go through, a hole is taken away from what is around it, and what lies beside it is added.
+#[test]
+fn rings_of_any_two_ellipses() {
+    let window = Rect::new(0, 0, 32, 20);
+    let levels = |ellipse| told(window, |_, _, levels| coverage::ellipse(ellipse, window, levels)).levels;
+    let circle = |x, y, r| Ellipse::circle(PointFx::from_bits(x, y), I24F8::from_bits(r));
+    for (a, b, are_near) in [
+        // Inside, touching from the inside, crescents, crossing, side by side in one pixel, and far away.
+        (circle(2_600, 2_500, 2_000), circle(2_500, 2_600, 1_400), true),
+        (circle(2_600, 2_500, 2_000), circle(3_000, 2_500, 1_600), true),
+        (circle(2_600, 2_500, 2_000), circle(2_700, 2_530, 2_000), true),
+        (circle(2_600, 2_500, 2_000), circle(4_000, 3_000, 1_100), true),
+        (circle(2_600, 2_500, 2_000), circle(6_150, 2_500, 1_500), false),
+        (circle(1_600, 1_500, 1_300), circle(6_150, 3_500, 1_100), false),
+        (circle(1_600, 1_500, 1_300), circle(6_150, 3_500, 0), false),
+        (circle(1_600, 1_500, -3), circle(6_150, 3_500, 900), false),
+        (circle(1_600, 1_500, 1_300), circle(i32::MAX, i32::MIN, i32::MAX), false),
+    ] {
+        for (a, b) in [(a, b), (b, a)] {
+            let ring = told(window, |_, _, levels| coverage::ring(a, b, window, levels)).levels;
+            for ((&ring, a), b) in ring.iter().zip(levels(a)).zip(levels(b)) {
+                let sum = u16::from(a) + u16::from(b);
+                let wanted = if are_near { u16::from(a.abs_diff(b)) } else { sum.min(510 - sum) };
+                assert_eq!(u16::from(ring), wanted, "{a} and {b}");
+            }
+        }
+    }
+    // A window without end, and ellipses far from each other in it: only their rows are looked at.
+    let endless = Rect::new(i32::MIN, i32::MIN, i32::MAX, i32::MAX);
+    let (a, b) = (circle(i32::MIN + 900, i32::MIN + 900, 900), circle(i32::MAX - 900, i32::MAX - 900, 900));
+    let pixels = |shape: &dyn Fn(&mut u64)| {
+        let mut pixels = 0;
+        shape(&mut pixels);
+        pixels
+    };
+    let count = |pixels: &mut u64, span: ClippedSpan| *pixels += u64::from(span.len());
+    let disc = |disc| pixels(&|pixels| coverage::ellipse(disc, endless, |span: ClippedSpan| count(pixels, span)));
+    let both = pixels(&|pixels| coverage::ring(a, b, endless, |span: ClippedSpan| count(pixels, span)));
+    assert!(both == disc(a) + disc(b) && both > 60, "{both} pixels");
 }
 
 /// What an ellipse beside it takes away from a sector is nothing, however far it is: no outline goes from one to the other.
@@ -446,8 +554,7 @@ fn sectors_that_are_all_or_nothing() {
     );
     let levels = |shape: Shape<'_>| told(window, shape).levels;
     let whole = levels(&|_, _, levels| coverage::ellipse(disc, window, levels));
-    let ring =
-        levels(&|table, cells, levels| coverage::ring(disc, hole, table, cells, window, levels).expect("enough slots"));
+    let ring = levels(&|_, _, levels| coverage::ring(disc, hole, window, levels));
     let of = |sector: Sector| {
         let slice = levels(&|table, cells, levels| {
             coverage::sector(disc, sector, table, cells, window, levels).expect("enough slots");

@@ -27,7 +27,7 @@
 //!
 //! **Rows with two sides**, which are most rows of triangles, lines and other simple shapes, take no cells: `pair.rs`.
 //!
-//! **Lines one pixel wide** take neither sides nor cells: `line.rs`. Nor do **circles and ellipses**: `oval.rs`.
+//! **Lines one pixel wide** take neither sides nor cells: `line.rs`. Nor do **circles, ellipses and rings**: `oval.rs`.
 //!
 //! **Memory.** Scratch memory for the sides, 44 bytes each, and for the cells: 4 bytes a pixel of the width, and 4 for each 32
 //! pixels ([`cells`] counts them). With less, a row is drawn in strips, with the same result, and with a look at each side for
@@ -56,8 +56,8 @@ mod true_area;
 pub use self::{
     fill::{cells, extent, fill, fill_true},
     line::line,
-    oval::ellipse,
-    round::{ring, ring_sector, sector},
+    oval::{ellipse, ring},
+    round::{ring_sector, sector},
     shapes::{path, path_true, rectangle, rounded, stroke, stroke_polyline, stroke_true, triangle},
     slot::CoverageSlot,
 };

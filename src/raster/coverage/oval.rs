@@ -26,6 +26,8 @@
 //! `s = t / 2`. For a quarter of an ellipse, the longest chord, that is right to 0.1 %.
 //!
 //! **Work.** A root for each row, and one for each border of two columns that the curve crosses.
+//!
+//! **A ring** is the difference of two ellipses, level by level. So it adds up with the ellipse that fills it, however thin it is.
 
 use core::num::NonZeroU32;
 
@@ -128,6 +130,184 @@ impl Piece {
     }
 }
 
+/// On the way down the rows of a window, at the upper border of row y.
+struct Walk {
+    y: i32,
+    end: i32,
+    /// From the centre down to that border, and the same as far as the curve goes.
+    below: i32,
+    top: i32,
+    /// How far out the curve is there, and about how far it will be at the next one.
+    x_top: u32,
+    guess: u32,
+}
+
+impl Walk {
+    /// The next row, if there is one; else the largest number.
+    fn row(&self) -> i32 {
+        if self.y < self.end {
+            self.y
+        } else {
+            i32::MAX
+        }
+    }
+
+    #[inline(always)]
+    fn next(&mut self, oval: &Oval) -> Cut {
+        self.below = self.below.wrapping_add(1 << (oval.bits & 15));
+        let bottom = oval.inside(self.below);
+        let x_bottom = oval.x_at(bottom.unsigned_abs(), self.guess);
+        let cut = Cut { top: self.top, x_top: self.x_top, bottom, x_bottom };
+        // As far again, for the next one.
+        self.guess = (x_bottom << 1).saturating_sub(self.x_top);
+        (self.top, self.x_top) = (bottom, x_bottom);
+        self.y = self.y.wrapping_add(1);
+        cut
+    }
+}
+
+/// The upper border of a row and the lower one, from the centre downwards as far as the curve goes, and how far out the curve is there.
+#[derive(Copy, Clone)]
+struct Cut {
+    top: i32,
+    x_top: u32,
+    bottom: i32,
+    x_bottom: u32,
+}
+
+impl Cut {
+    #[inline(always)]
+    fn ends(self) -> [(u32, u32); 2] {
+        [(self.top.unsigned_abs(), self.x_top), (self.bottom.unsigned_abs(), self.x_bottom)]
+    }
+
+    /// The curve in a row above the centre or below it; `None` in that of the centre.
+    #[inline(always)]
+    fn piece(self) -> Option<Piece> {
+        let [upper, lower] = self.ends();
+        let (lower, upper) = if self.bottom <= 0 { (lower, upper) } else { (upper, lower) };
+        (self.top >= 0 || self.bottom <= 0).then(|| Piece::new(lower, upper))
+    }
+
+    /// The curve in any row: above the centre and below it. One that there is not comes last.
+    #[inline(always)]
+    fn pieces(self, oval: &Oval) -> [Piece; 2] {
+        let [upper, lower] = self.ends();
+        let middle = (0, oval.radii.0);
+        let above = Piece::new(if self.top < 0 && self.bottom <= 0 { lower } else { middle }, upper);
+        let below = Piece::new(if self.top >= 0 { upper } else { middle }, lower);
+        match (self.top < 0, self.bottom > 0) {
+            (true, true) => [above, below],
+            (true, false) => [above, Piece::default()],
+            _ => [below, Piece::default()],
+        }
+    }
+}
+
+/// The columns from `first` to `end` are not empty, those from `full` to `rest`, if there are any, full.
+#[derive(Copy, Clone)]
+struct Columns {
+    first: i32,
+    full: i32,
+    rest: i32,
+    end: i32,
+}
+
+impl Columns {
+    const NONE: Self = Self { first: i32::MAX, full: 0, rest: 0, end: i32::MIN };
+
+    /// The level of a column if it is empty or full, and the column up to which that is so.
+    fn plain(&self, x: i32) -> Option<(u8, i32)> {
+        if x < self.first {
+            Some((0, self.first))
+        } else if x >= self.end {
+            Some((0, i32::MAX))
+        } else if self.full <= x && x < self.rest {
+            Some((u8::MAX, self.rest))
+        } else {
+            None
+        }
+    }
+}
+
+/// Tells any row of some curves: of each pixel what `level` makes of their levels. Of full and empty ones that is full, or empty.
+#[inline(never)]
+fn tell_row<const N: usize>(
+    curves: [(&Oval, [Piece; 2]); N],
+    level: impl Fn([u8; N]) -> u8,
+    y: i32,
+    window: Rect,
+    sink: &mut impl Sink,
+) {
+    let columns = curves.map(|(oval, pieces)| oval.columns(&pieces, window));
+    let mut x = columns.iter().fold(i32::MAX, |first, columns| first.min(columns.first));
+    let end = columns.iter().fold(i32::MIN, |end, columns| end.max(columns.end));
+    let mut row = Row::new(sink, y, x);
+    while x < end {
+        let (mut levels, mut next) = ([0; N], end);
+        for ((place, (oval, pieces)), columns) in levels.iter_mut().zip(&curves).zip(&columns) {
+            let (found, until) = columns.plain(x).unwrap_or_else(|| (oval.level(pieces, x), x.wrapping_add(1)));
+            (*place, next) = (found, next.min(until));
+        }
+        match level(levels) {
+            level @ (0 | u8::MAX) if next > x.wrapping_add(1) => row.run_to(next, level),
+            level => row.put(level),
+        }
+        x = next;
+    }
+    row.tell();
+}
+
+/// Tells what lies in one of two ellipses and not in both: a ring, if one lies in the other. What one of them has of a pixel is taken
+/// away from what the other one has; if none of them has the centre of the other one, it is added.
+///
+/// Levels are as exact as those of both [ellipses](ellipse) together. An ellipse beside a ring that it fills adds up to 255 with it.
+///
+/// Work: as for both of them.
+pub fn ring(outer: Ellipse, inner: Ellipse, window: Rect, mut sink: impl Sink) {
+    let are_near = are_near(&outer, &inner);
+    let (outer, inner) = match [outer, inner].map(|ellipse| Oval::of(&ellipse)) {
+        [Some(outer), Some(inner)] => (outer, inner),
+        [one, other] => {
+            if let Some(oval) = one.or(other) {
+                oval.tell(window, &mut sink);
+            }
+            return;
+        }
+    };
+    let [mut a, mut b] = [&outer, &inner].map(|oval| oval.walk(window));
+    loop {
+        let y = a.row().min(b.row());
+        if y == i32::MAX {
+            return;
+        }
+        let pieces = |walk: &mut Walk, oval: &Oval| {
+            if walk.row() == y {
+                walk.next(oval).pieces(oval)
+            } else {
+                [Piece::default(); 2]
+            }
+        };
+        let curves = [(&outer, pieces(&mut a, &outer)), (&inner, pieces(&mut b, &inner))];
+        let level = |[a, b]: [u8; 2]| {
+            let sum = u32::from(a).wrapping_add(u32::from(b));
+            if are_near {
+                a.abs_diff(b)
+            } else {
+                low_u8(sum.min(510_u32.wrapping_sub(sum)))
+            }
+        };
+        tell_row(curves, level, y, window, &mut sink);
+    }
+}
+
+/// Whether the centre of one of two ellipses may lie in the other one: it lies in the box around it.
+fn are_near(a: &Ellipse, b: &Ellipse) -> bool {
+    let (Some((a, r)), Some((b, s))) = (a.on_grid(), b.on_grid()) else { return false };
+    let is_near = |a: i64, b: i64, r: i64| a.wrapping_sub(b).unsigned_abs() < r.unsigned_abs();
+    is_near(a.0, b.0, r.0.max(s.0)) && is_near(a.1, b.1, r.1.max(s.1))
+}
+
 impl Oval {
     fn of(ellipse: &Ellipse) -> Option<Self> {
         let (centre, radii) = ellipse.on_grid()?;
@@ -182,47 +362,36 @@ impl Oval {
     }
 
     fn tell(&self, window: Rect, sink: &mut impl Sink) {
+        let mut rims = [[0; CHUNK]; 2];
+        let mut walk = self.walk(window);
+        while walk.y < walk.end {
+            let y = walk.y;
+            let cut = walk.next(self);
+            if COMPACT || !cut.piece().is_some_and(|piece| self.short_row(&piece, (y, window), &mut rims, sink)) {
+                tell_row([(self, cut.pieces(self))], |[level]| level, y, window, sink);
+            }
+        }
+    }
+
+    /// The way down its rows in a window, of which there may be none.
+    #[inline(always)]
+    fn walk(&self, window: Rect) -> Walk {
         let ry = signed(self.radii.1);
         let pixel = 1_i32 << (self.bits & 15);
         let row = |down: i32| self.centre.1.saturating_add(self.inset.1.wrapping_add(down) >> (self.bits & 15));
-        let mut y = row(ry.wrapping_neg()).max(window.y0);
+        let y = row(ry.wrapping_neg()).max(window.y0);
         let end = row(ry.wrapping_add(pixel).wrapping_sub(1)).min(window.y1);
-        if y >= end || window.x0 >= window.x1 {
-            return;
-        }
-        // From the centre down to a border of rows, as far as the curve goes.
-        let inside = |v: i32| v.max(ry.wrapping_neg()).min(ry);
-        let mut below = (y.wrapping_sub(self.centre.1) << (self.bits & 15)).wrapping_sub(self.inset.1);
-        let mut top = inside(below);
-        let (mut x_top, mut guess) = (self.x_at(top.unsigned_abs(), self.radii.0), self.radii.0);
-        let mut rims = [[0; CHUNK]; 2];
-        while y < end {
-            below = below.wrapping_add(pixel);
-            let bottom = inside(below);
-            let x_bottom = self.x_at(bottom.unsigned_abs(), guess);
-            let (upper, lower) = ((top.unsigned_abs(), x_top), (bottom.unsigned_abs(), x_bottom));
-            let is_told = if COMPACT || (top < 0 && bottom > 0) {
-                false
-            } else {
-                let (lower, upper) = if bottom <= 0 { (lower, upper) } else { (upper, lower) };
-                self.short_row(&Piece::new(lower, upper), (y, window), &mut rims, sink)
-            };
-            if !is_told {
-                let middle = (0, self.radii.0);
-                let above = Piece::new(if top < 0 && bottom <= 0 { lower } else { middle }, upper);
-                let below = Piece::new(if top >= 0 { upper } else { middle }, lower);
-                let pieces = match (top < 0, bottom > 0) {
-                    (true, true) => [above, below],
-                    (true, false) => [above, Piece::default()],
-                    _ => [below, Piece::default()],
-                };
-                self.row(&pieces, y, window, sink);
-            }
-            // As far again, for the next one.
-            guess = (x_bottom << 1).saturating_sub(x_top);
-            (top, x_top) = (bottom, x_bottom);
-            y = y.wrapping_add(1);
-        }
+        let end = if window.x0 < window.x1 { end } else { y };
+        let below = (y.wrapping_sub(self.centre.1) << (self.bits & 15)).wrapping_sub(self.inset.1);
+        let top = self.inside(below);
+        Walk { y, end, below, top, x_top: self.x_at(top.unsigned_abs(), self.radii.0), guess: self.radii.0 }
+    }
+
+    /// From the centre down to a border of rows, as far as the curve goes.
+    #[inline(always)]
+    fn inside(&self, below: i32) -> i32 {
+        let ry = signed(self.radii.1);
+        below.max(ry.wrapping_neg()).min(ry)
     }
 
     /// The distance from the centre to the left border of a column.
@@ -306,9 +475,11 @@ impl Oval {
         }
     }
 
-    /// Any row.
-    #[inline(never)]
-    fn row(&self, pieces: &[Piece; 2], y: i32, window: Rect, sink: &mut impl Sink) {
+    /// The columns of a window that the curve goes through in a row, and those between that are full.
+    fn columns(&self, pieces: &[Piece; 2], window: Rect) -> Columns {
+        if pieces[0].hi == 0 {
+            return Columns::NONE;
+        }
         let outer = signed(pieces[0].x_lo.max(pieces[1].x_lo));
         let inner = match pieces {
             [piece, Piece { hi: 0, .. }] => signed(piece.x_hi),
@@ -318,31 +489,26 @@ impl Oval {
         let first = inside(self.column(outer.wrapping_neg()));
         let (full, rest) = (inside(self.column(inner.wrapping_neg()).wrapping_add(1)), inside(self.column(inner)));
         let end = inside(self.column(outer).saturating_add(1));
-        if first >= end {
-            return;
+        if first < end {
+            Columns { first, full, rest, end }
+        } else {
+            Columns::NONE
         }
-        let mut row = Row::new(sink, y, first);
-        let mut x = first;
-        while x < end {
-            if x == full && full < rest {
-                row.run_to(rest, u8::MAX);
-                x = rest;
-                continue;
-            }
-            let right = self.right(x);
-            let next = right.wrapping_add(1 << (self.bits & 15));
-            let mut area = 0_u32;
-            for piece in pieces {
-                for (from, to) in [(right, next), (next.wrapping_neg(), right.wrapping_neg())] {
-                    if to > 0 {
-                        area = area.wrapping_add(self.side(piece, (unsigned(from.max(0)), unsigned(to))));
-                    }
+    }
+
+    /// The level of any column.
+    fn level(&self, pieces: &[Piece; 2], x: i32) -> u8 {
+        let right = self.right(x);
+        let next = right.wrapping_add(1 << (self.bits & 15));
+        let mut area = 0_u32;
+        for piece in pieces {
+            for (from, to) in [(right, next), (next.wrapping_neg(), right.wrapping_neg())] {
+                if to > 0 {
+                    area = area.wrapping_add(self.side(piece, (unsigned(from.max(0)), unsigned(to))));
                 }
             }
-            row.put(level_of(area));
-            x = x.wrapping_add(1);
         }
-        row.tell();
+        level_of(area)
     }
 
     /// What a piece covers of a column, or of a part of it, on one side of the centre.

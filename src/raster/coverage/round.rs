@@ -1,4 +1,4 @@
-//! The coverage of parts of ellipses: sectors, rings, and sectors of rings.
+//! The coverage of parts of ellipses: sectors, and sectors of rings.
 
 use super::{oval, shapes::path, slot::CoverageSlot};
 use crate::{
@@ -27,22 +27,6 @@ pub fn sector(
     path(Smooth::sector(&ellipse, sector).path(), FillRule::NonZero, table, cells, window, sink)
 }
 
-/// Tells what lies between two ellipses: in one of them, and not in both. If `inner` lies inside of `outer`, this is a ring.
-///
-/// # Errors
-/// As for [`fill`](super::fill).
-pub fn ring(
-    outer: Ellipse,
-    inner: Ellipse,
-    table: &mut [CoverageSlot],
-    cells: &mut [i32],
-    window: Rect,
-    sink: impl Sink,
-) -> Result<(), EdgeTableFull> {
-    let [outer, inner] = [outer, inner].map(|ellipse| Smooth::ellipse(&ellipse));
-    path(outer.path().into_iter().chain(inner.path()), FillRule::EvenOdd, table, cells, window, sink)
-}
-
 /// Tells what a sector of a ring covers, as a gauge has it: from an arc of `outer` to one of `inner`, which have the same centre. If they
 /// do not, the ends of each arc are where it has the directions of the sector as seen from its own centre. An inner ellipse that lies beside
 /// the outer one takes nothing away from it.
@@ -57,6 +41,10 @@ pub fn ring_sector(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
+    if sector.is_everything() {
+        oval::ring(outer, inner, window, sink);
+        return Ok(());
+    }
     let [there, back] = Smooth::ring_sector(&outer, &inner, sector);
     path(there.path().into_iter().chain(back.path()), FillRule::EvenOdd, table, cells, window, sink)
 }
