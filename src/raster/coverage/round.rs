@@ -4,7 +4,7 @@ use super::{oval, shapes::path, slot::CoverageSlot};
 use crate::{
     error::EdgeTableFull,
     geom::fill_rule::FillRule,
-    raster::{arc::Sector, ellipse::Ellipse, round::Smooth},
+    raster::{arc::Sector, ellipse::Ellipse, round::smooth},
     span::{Rect, Sink},
 };
 
@@ -24,7 +24,7 @@ pub fn sector(
         oval::ellipse(ellipse, window, sink);
         return Ok(());
     }
-    path(Smooth::sector(&ellipse, sector).path(), FillRule::NonZero, table, cells, window, sink)
+    path(smooth::sector(&ellipse, sector), FillRule::NonZero, table, cells, window, sink)
 }
 
 /// Tells what a sector of a ring covers, as a gauge has it: from an arc of `outer` to one of `inner`, which have the same centre. If they
@@ -45,6 +45,5 @@ pub fn ring_sector(
         oval::ring(outer, inner, window, sink);
         return Ok(());
     }
-    let [there, back] = Smooth::ring_sector(&outer, &inner, sector);
-    path(there.path().into_iter().chain(back.path()), FillRule::EvenOdd, table, cells, window, sink)
+    path(smooth::ring_sector(&outer, &inner, sector), FillRule::EvenOdd, table, cells, window, sink)
 }

@@ -17,7 +17,7 @@ use crate::{
     },
     num::cast::{low_u8, unsigned},
     raster::{
-        round::Smooth,
+        round::smooth,
         rounded::Radii,
         stroke::{path_border, polyline_border, Dashing, Stroke},
     },
@@ -156,7 +156,7 @@ pub fn rounded(
     window: Rect,
     sink: impl Sink,
 ) -> Result<(), EdgeTableFull> {
-    path(Smooth::rounded(area, radii).path(), FillRule::NonZero, table, cells, window, sink)
+    path(smooth::rounded(area, radii), FillRule::NonZero, table, cells, window, sink)
 }
 
 /// Tells what a triangle covers: as [`fill`], without an error, as three slots are enough.

@@ -11,6 +11,4 @@ mod disc;
 mod form;
 mod outline;
 mod ray;
-mod smooth;
-
-pub(crate) use self::smooth::Smooth;
+pub(crate) mod smooth;

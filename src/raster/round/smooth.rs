@@ -1,19 +1,20 @@
-//! [`Smooth`]: round shapes as paths, for coverage, which is the area of any outline.
+//! Round shapes as paths, for coverage, which is the area of any outline.
 //!
-//! An arc becomes cubic curves of an eighth of a turn each, or of a sixteenth where a radius is above 512 pixels. A curve from angle
-//! u to v has its control points on the tangents at its ends, `4/3 tan((v - u) / 4)` of a radius away. So it is off the true arc
-//! by at most `4.2 10^-6` of the radius, or `6.6 10^-8`: less than 1/256 pixel, up to radii of 60,000 pixels.
+//! An arc becomes cubic curves of an eighth of a turn each, or of less where a radius is above 512 pixels: see [`Oval::parts`].
+//! A curve from angle u to v has its control points on the tangents at its ends, `4/3 tan((v - u) / 4)` of a radius away. So it is off
+//! the true arc by at most `4.2 10^-6` of the radius, or 64 times less with twice as many curves: less than 1/512 pixel, as far as places
+//! go.
 //!
 //! **Sectors.** The part of an ellipse from one direction to another begins with such curves, from its first direction on, until
 //! less than one of them is left. The last one, of an angle a, has `4/3 tan(a / 4)` by a series of `t = tan(a / 2)`, which is the
 //! sine of a divided by 1 and its cosine: `tan(a / 4) = t / 2 (1 - t^2 / 4 + t^4 / 8 - 5/64 t^6 + 7/128 t^8 - 21/512 t^10 ...)`, up to
 //! t = 0.42 and to `2 10^-7`.
 //!
+//! Nothing is stored: each curve is found when it is asked for, from the first direction of its arc and its number.
+//!
 //! Source: M. Goldapp, "Approximation of circular arcs by cubic polynomials", Computer Aided Geometric Design 8, 1991.
 
 use core::num::NonZeroU32;
-
-use heapless::Vec;
 
 use super::{
     arc::{Extent, Sector},
@@ -21,20 +22,13 @@ use super::{
     rounded::Radii,
 };
 use crate::{
-    geom::{Angle, Path, PathSegment, PointFx},
+    geom::{flatten::Segments, Angle, PathSegment, PointFx},
     num::{
         cast::{low_u32, narrow, saturate, signed, unsigned},
         recip::{inverse_root_wide, Divisor},
     },
     span::Rect,
 };
-
-/// A round shape as the segments of a path: of places to 1/256 pixel. What lies beyond the range of places is pressed to its end.
-#[derive(Clone, Debug)]
-pub(crate) struct Smooth {
-    /// At most a move, four sides, four times four curves, and the closing side.
-    segments: Vec<PathSegment, 22>,
-}
 
 /// Centre and radii of an ellipse, in units of 1/512 pixel.
 #[derive(Copy, Clone)]
@@ -93,185 +87,166 @@ impl Oval {
 
     /// Parts of a turn that are one curve each, and `4/3 tan(turn / (4 parts))` in units of `2^-30`.
     fn parts(self) -> (u16, i64) {
-        if self.radii.0.max(self.radii.1) <= 512 << 9 {
-            (8, 284_774_038)
-        } else {
-            (16, 141_005_785)
+        // Up to 2^9, 2^14 and 2^20 pixels.
+        match self.radii.0.max(self.radii.1) {
+            ..=0x4_0000 => (8, 284_774_038),
+            ..=0x80_0000 => (16, 141_005_785),
+            ..=0x2000_0000 => (32, 70_332_738),
+            _ => (64, 35_145_176),
         }
     }
 }
 
-impl Smooth {
-    /// An ellipse. Without area it has no segments.
-    pub(crate) fn ellipse(ellipse: &Ellipse) -> Self {
-        let mut smooth = Self { segments: Vec::new() };
-        let Some(oval) = Oval::of(ellipse) else { return smooth };
-        smooth.begin(oval.place((1 << 30, 0)));
-        for quarter in 0..4 {
-            smooth.quarter(oval, quarter);
-        }
-        smooth.push(PathSegment::Close);
-        smooth
-    }
+/// A place on the circle of radius 1, in units of `2^-30`.
+type Direction = (i32, i32);
 
-    /// A rectangle of pixels with rounded corners.
-    pub(crate) fn rounded(area: Rect, radii: Radii) -> Self {
-        let mut smooth = Self { segments: Vec::new() };
-        if area.is_empty() {
-            return smooth;
-        }
-        let Radii { top_left, top_right, bottom_right, bottom_left } = radii.limited(area);
-        let units = |n: i32| i64::from(n) << 9;
-        let corner = |(x, y): (i32, i32), right: i64, down: i64, radius: u32| {
-            let radius = i64::from(radius) << 9;
-            let centre =
-                (units(x).wrapping_add(radius.wrapping_mul(right)), units(y).wrapping_add(radius.wrapping_mul(down)));
-            Oval { centre, radii: (radius, radius) }
-        };
-        // Clockwise, from the right end of the lower right corner on; each quarter ends a quarter of a turn later.
-        let corners = [
-            corner((area.x1, area.y1), -1, -1, bottom_right),
-            corner((area.x0, area.y1), 1, -1, bottom_left),
-            corner((area.x0, area.y0), 1, 1, top_left),
-            corner((area.x1, area.y0), -1, 1, top_right),
-        ];
-        for (quarter, oval) in (0..).zip(corners) {
-            let start = oval.place(Angle::turns(quarter, 4).cos_sin());
-            if quarter == 0 {
-                smooth.begin(start);
-            } else {
-                smooth.push(PathSegment::LineTo(start));
-            }
-            if oval.radii.0 > 0 {
-                smooth.quarter(oval, quarter);
-            }
-        }
-        smooth.push(PathSegment::Close);
-        smooth
-    }
+/// An arc, clockwise from one place to another: its curves, from the first one on or from the last one back.
+#[derive(Copy, Clone)]
+struct Arc {
+    oval: Oval,
+    from: Direction,
+    to: Direction,
+    /// How many curves it has, and which of them are left.
+    curves: u16,
+    left: (u16, u16),
+    is_back: bool,
+}
 
-    /// A sector of an ellipse: from its centre to the arc, along it, and back.
-    pub(crate) fn sector(ellipse: &Ellipse, sector: Sector) -> Self {
-        let (from, to, extent) = sector.ends();
-        let mut smooth = Self { segments: Vec::new() };
-        let is_wide = match extent {
-            Extent::Nothing => return smooth,
-            Extent::Everything => return Self::ellipse(ellipse),
-            Extent::Narrow => false,
-            Extent::Wide => true,
-        };
-        let Some(oval) = Oval::of(ellipse) else { return smooth };
-        smooth.begin(oval.place((0, 0)));
-        let [from, to] = [from, to].map(|direction| oval.on_circle(direction));
-        smooth.push(PathSegment::LineTo(oval.place(from)));
-        smooth.arc(oval, (from, to), is_wide);
-        smooth.push(PathSegment::Close);
-        smooth
-    }
-
-    /// A sector of what lies between two ellipses: the arc along the outer one, and what follows it, along the inner one and back. Of the
-    /// inner one directions are those seen from its own centre. If it has no area or lies beside the outer one, this is a sector of the outer
-    /// one, and no more is drawn than its box has room for.
-    pub(crate) fn ring_sector(outer: &Ellipse, inner: &Ellipse, sector: Sector) -> [Self; 2] {
-        let nothing = || Self { segments: Vec::new() };
-        let (from, to, extent) = sector.ends();
-        let is_wide = match extent {
-            Extent::Nothing => return [nothing(), nothing()],
-            Extent::Everything => return [outer, inner].map(Self::ellipse),
-            Extent::Narrow => false,
-            Extent::Wide => true,
-        };
-        let Some(large) = Oval::of(outer) else { return [nothing(), nothing()] };
-        let Some(small) = Oval::of(inner).filter(|&small| small.meets(large)) else {
-            return [Self::sector(outer, sector), nothing()];
-        };
-        let (mut there, mut back) = (nothing(), nothing());
-        let ends = |oval: Oval| (oval.on_circle(from), oval.on_circle(to));
-        there.begin(large.place(ends(large).0));
-        there.arc(large, ends(large), is_wide);
-        back.begin(small.place(ends(small).0));
-        back.arc(small, ends(small), is_wide);
-        back.turn_round();
-        [there, back]
-    }
-
-    /// Turns an arc that begins with a move so that it goes the other way: from a line to its last place to its first one, which closes
-    /// the path before it.
-    fn turn_round(&mut self) {
-        let mut back: Vec<PathSegment, 22> = Vec::new();
-        // The handles of the curve that was looked at last: it ends where the next one begins.
-        let mut handles = None;
-        for &segment in self.segments.iter().rev() {
-            let (end, own) = match segment {
-                PathSegment::CubicTo(a, b, end) => (end, Some((a, b))),
-                PathSegment::MoveTo(end) | PathSegment::LineTo(end) => (end, None),
-                _ => continue,
-            };
-            let next = match handles {
-                Some((a, b)) => PathSegment::CubicTo(b, a, end),
-                None => PathSegment::LineTo(end),
-            };
-            back.push(next).unwrap_or(());
-            handles = own;
-        }
-        back.push(PathSegment::Close).unwrap_or(());
-        self.segments = back;
-    }
-
-    /// The curves from one place on the circle clockwise to another, by more than half a turn or not.
-    fn arc(&mut self, oval: Oval, (from, to): ((i32, i32), (i32, i32)), is_wide: bool) {
-        /// Directions are off by less than this after all of the steps.
+impl Arc {
+    /// From one place to another, by more than half a turn or not.
+    fn new(oval: Oval, from: Direction, to: Direction, is_wide: bool) -> Self {
+        /// Directions are off by less than this.
         const NEAR: i64 = 64;
-        let (parts, handle) = oval.parts();
-        let step = Angle::turns(1, parts).cos_sin();
-        let mut at = from;
-        for part in 0..=parts {
+        let (parts, _) = oval.parts();
+        let step = i64::from(Angle::turns(1, parts).cos_sin().0);
+        let mut arc = Self { oval, from, to, curves: 1, left: (0, 1), is_back: false };
+        for curves in 1..=parts.wrapping_add(1) {
+            arc.curves = curves;
+            let at = arc.place_before(curves);
             let (cos, sin) = (dot(at, to), dot(at, (to.1, to.0.wrapping_neg())));
-            let is_last = cos >= i64::from(step.0).wrapping_sub(NEAR) && sin >= -NEAR;
-            if is_last && !(is_wide && part < parts / 2) {
-                self.curve(oval, (at, to), handle_of(narrow(cos), narrow(sin)));
-                return;
+            let is_last = cos >= step.wrapping_sub(NEAR) && sin >= NEAR.wrapping_neg();
+            if is_last && !(is_wide && curves <= parts / 2) {
+                break;
             }
-            let next = turned(at, step);
-            self.curve(oval, (at, next), handle);
-            at = next;
         }
+        arc.left = (0, arc.curves);
+        arc
     }
 
-    /// One curve between places on the circle.
-    fn curve(&mut self, oval: Oval, (from, to): ((i32, i32), (i32, i32)), handle: i64) {
-        // Along the tangent, which is a quarter of a turn ahead: below 1.04 times 2^30.
-        let ahead = |(x, y): (i32, i32), handle: i64| {
-            let part = |n: i32| narrow(handle.wrapping_mul(n.into()).wrapping_add(1 << 29) >> 30);
-            oval.place((x.wrapping_sub(part(y)), y.wrapping_add(part(x))))
+    /// The same the other way.
+    fn back(self) -> Self {
+        Self { is_back: true, ..self }
+    }
+
+    /// Where a curve begins: the first one has the number 1.
+    fn place_before(&self, curve: u16) -> Direction {
+        let (parts, _) = self.oval.parts();
+        turned(self.from, Angle::turns(curve.wrapping_sub(1).into(), parts).cos_sin())
+    }
+
+    fn begin(&self) -> PointFx {
+        self.oval.place(self.from)
+    }
+
+    fn end(&self) -> PointFx {
+        self.oval.place(self.to)
+    }
+
+    /// A curve, the first one having the number 1.
+    fn curve(&self, number: u16) -> PathSegment {
+        let from = self.place_before(number);
+        let (to, handle) = if number < self.curves {
+            (self.place_before(number.wrapping_add(1)), self.oval.parts().1)
+        } else {
+            let (cos, sin) = (dot(from, self.to), dot(from, (self.to.1, self.to.0.wrapping_neg())));
+            (self.to, handle_of(narrow(cos), narrow(sin)))
         };
-        self.push(PathSegment::CubicTo(ahead(from, handle), ahead(to, handle.wrapping_neg()), oval.place(to)));
-    }
-
-    /// The path, for as long as this lives.
-    pub(crate) fn path(&self) -> Path<'_> {
-        Path::new(&self.segments)
-    }
-
-    fn begin(&mut self, at: PointFx) {
-        self.push(PathSegment::MoveTo(at));
-    }
-
-    /// The curves of a quarter of a turn, from its start on.
-    fn quarter(&mut self, oval: Oval, quarter: u32) {
-        let (parts, handle) = oval.parts();
-        let each = u32::from(parts) / 4;
-        for part in 0..each {
-            let from = quarter.wrapping_mul(each).wrapping_add(part);
-            let [a, b] = [from, from.wrapping_add(1)].map(|n| Angle::turns(n, parts).cos_sin());
-            self.curve(oval, (a, b), handle);
+        // Along the tangent, which is a quarter of a turn ahead: below 1.04 times 2^30.
+        let ahead = |(x, y): Direction, handle: i64| {
+            let part = |n: i32| narrow(handle.wrapping_mul(n.into()).wrapping_add(1 << 29) >> 30);
+            self.oval.place((x.wrapping_sub(part(y)), y.wrapping_add(part(x))))
+        };
+        let (a, b) = (ahead(from, handle), ahead(to, handle.wrapping_neg()));
+        if self.is_back {
+            PathSegment::CubicTo(b, a, self.oval.place(from))
+        } else {
+            PathSegment::CubicTo(a, b, self.oval.place(to))
         }
     }
+}
 
-    /// There is room for all: see the capacity.
-    fn push(&mut self, segment: PathSegment) {
-        self.segments.push(segment).unwrap_or(());
+impl Iterator for Arc {
+    type Item = PathSegment;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<PathSegment> {
+        let (done, end) = self.left;
+        if done >= end {
+            return None;
+        }
+        if self.is_back {
+            self.left.1 = end.wrapping_sub(1);
+            Some(self.curve(end))
+        } else {
+            self.left.0 = done.wrapping_add(1);
+            Some(self.curve(done.wrapping_add(1)))
+        }
     }
+}
+
+/// A rectangle of pixels with rounded corners.
+pub(crate) fn rounded(area: Rect, radii: Radii) -> impl Segments {
+    let Radii { top_left, top_right, bottom_right, bottom_left } = radii.limited(area);
+    let units = |n: i32| i64::from(n) << 9;
+    let corner = |(x, y): (i32, i32), right: i64, down: i64, radius: u32| {
+        let radius = i64::from(radius) << 9;
+        let centre =
+            (units(x).wrapping_add(radius.wrapping_mul(right)), units(y).wrapping_add(radius.wrapping_mul(down)));
+        Oval { centre, radii: (radius, radius) }
+    };
+    // Clockwise, from the right end of the lower right corner on; each quarter ends a quarter of a turn later.
+    let corners = [
+        corner((area.x1, area.y1), -1, -1, bottom_right),
+        corner((area.x0, area.y1), 1, -1, bottom_left),
+        corner((area.x0, area.y0), 1, 1, top_left),
+        corner((area.x1, area.y0), -1, 1, top_right),
+    ];
+    let is_there = !area.is_empty();
+    let quarters = (0..if is_there { 4_u32 } else { 0 }).zip(corners).flat_map(|(quarter, oval)| {
+        let [from, to] = [quarter, quarter.wrapping_add(1)].map(|n| Angle::turns(n, 4).cos_sin());
+        let arc = Arc::new(oval, from, to, false);
+        let start = if quarter == 0 { PathSegment::MoveTo } else { PathSegment::LineTo };
+        [start(arc.begin())].into_iter().chain(Some(arc).filter(|_| oval.radii.0 > 0).into_iter().flatten())
+    });
+    quarters.chain(is_there.then_some(PathSegment::Close))
+}
+
+/// A sector of an ellipse, less than all of it: from its centre to the arc, along it, and back.
+pub(crate) fn sector(ellipse: &Ellipse, sector: Sector) -> impl Segments {
+    let (from, to, extent) = sector.ends();
+    let arc = Oval::of(ellipse).filter(|_| extent != Extent::Nothing).map(|oval| {
+        let [from, to] = [from, to].map(|direction| oval.on_circle(direction));
+        Arc::new(oval, from, to, extent == Extent::Wide)
+    });
+    let start = arc.map(|arc| [PathSegment::MoveTo(arc.oval.place((0, 0))), PathSegment::LineTo(arc.begin())]);
+    let close = start.map(|_| PathSegment::Close);
+    start.into_iter().flatten().chain(arc.into_iter().flatten()).chain(close)
+}
+
+/// A sector of what lies between two ellipses, less than all of it: the arc along the outer one, and what follows it, along the inner one
+/// and back. Of the inner one directions are those seen from its own centre. If it has no area or lies beside the outer one, this is a
+/// sector of the outer one, and no more is drawn than its box has room for.
+pub(crate) fn ring_sector(outer: &Ellipse, inner: &Ellipse, sector: Sector) -> impl Segments {
+    let (from, to, extent) = sector.ends();
+    let of = |oval: Oval| Arc::new(oval, oval.on_circle(from), oval.on_circle(to), extent == Extent::Wide);
+    let large = Oval::of(outer).filter(|_| extent != Extent::Nothing);
+    let small = Oval::of(inner).zip(large).filter(|(small, large)| small.meets(*large)).map(|(small, _)| of(small));
+    let there = large.map(of);
+    let start = there.map(|arc| PathSegment::MoveTo(arc.begin()));
+    let turn = there.map(|arc| PathSegment::LineTo(small.map_or_else(|| arc.oval.place((0, 0)), |small| small.end())));
+    let there = start.into_iter().chain(there.into_iter().flatten());
+    let close = start.map(|_| PathSegment::Close);
+    there.chain(turn).chain(small.map(Arc::back).into_iter().flatten()).chain(close)
 }
 
 /// The product of two directions in `2^-30`: the cosine of the angle between them.
