@@ -3,12 +3,12 @@
 //! Source: T. Granlund and P. Montgomery, "Division by Invariant Integers using Multiplication", PLDI 1994.
 
 use super::{
-    cast::{low_u32, narrow, signed, signed_wide},
+    cast::{low_u32, low_u64, narrow, signed, signed_wide},
     mixed::Mixed,
     recip,
     wide::{product, signed_product},
 };
-use crate::tune::COMPACT;
+use crate::tune::{COMPACT, WORDS};
 
 /// Whether the reciprocal of a number below 2^32 is found in two digits. Otherwise it is found bit by bit.
 const BY_DIGITS: bool = !COMPACT;
@@ -160,6 +160,11 @@ impl Scale {
     /// factor, and less than 1 of the product.
     #[inline(always)]
     pub(crate) fn ratio(self, n: i32, more: i64) -> u64 {
+        if WORDS {
+            // The product as a whole.
+            let product = i128::from(n).wrapping_mul(signed_wide(self.inverse).into());
+            return low_u64((product >> 32).cast_unsigned()).wrapping_add(more.cast_unsigned());
+        }
         let times = |half: u64| signed_product(n, signed(low_u32(half)));
         let low = times((self.inverse & 0xffff_ffff) >> 1) >> 31;
         times(self.inverse >> 32).wrapping_add(low).wrapping_add(more).cast_unsigned()
@@ -191,6 +196,10 @@ impl Scale {
 /// The high half of a product of 128 bits, and the word below it.
 #[inline]
 fn high_product(a: u64, b: u64) -> (u64, u32) {
+    if WORDS {
+        let product = u128::from(a).wrapping_mul(b.into());
+        return (low_u64(product >> 64), low_u32(low_u64(product) >> 32));
+    }
     let halves = |n: u64| (low_u32(n >> 32), low_u32(n));
     let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
     // Sums of a product below 2^64 - 2^33 and one or two numbers below 2^32.
@@ -201,9 +210,15 @@ fn high_product(a: u64, b: u64) -> (u64, u32) {
 
 /// `floor((2^127 - 1) / (2^32 d))` for a `d` whose highest bit is set, in two digits: it is `floor((2^95 - 1) / d)`.
 ///
-/// The first digit is the reciprocal of 32 bits, cut down by one more. What is left, times the whole reciprocal, is the second one,
-/// too small by less than 4.
+/// On computers they are two divisions. Elsewhere the first digit is the reciprocal of 32 bits, cut down by one more. What is left, times
+/// the whole reciprocal, is the second one, too small by less than 4.
 fn reciprocal(d: u32) -> u64 {
+    if WORDS {
+        // The bit is set, which the compiler does not know: it would look for a division by 0.
+        let (n, d) = (u64::MAX >> 1, u64::from(d | 1 << 31));
+        let (high, rest) = (n / d, n % d);
+        return high << 32 | (rest << 32 | 0xffff_ffff) / d;
+    }
     let (wide, inverse) = (u64::from(d), recip::reciprocal(d));
     let high = 1 << 31 | inverse >> 1;
     let rest = !high.wrapping_mul(d);

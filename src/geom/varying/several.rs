@@ -50,14 +50,12 @@ impl<V: Varying, const N: usize> Varying for [V; N] {
 
     #[inline(always)]
     fn small(facet: &SmallFacet, [a, b, c]: [Self; 3]) -> Option<Self::Small> {
-        let mut rest = b.into_iter().zip(c);
-        let sums = a.map(|a| {
-            let (b, c) = rest.next().unwrap_or((a, a));
-            V::small(facet, [a, b, c])
-        });
-        // All of them have one, or none.
-        let first = (*sums.first()?)?;
-        Some(sums.map(|sums| sums.unwrap_or(first)))
+        let mut corners = a.into_iter().zip(b).zip(c).map(|((a, b), c)| [a, b, c]);
+        let mut sums = [V::small(facet, corners.next()?)?; N];
+        for (sum, corners) in sums.iter_mut().skip(1).zip(corners) {
+            *sum = V::small(facet, corners)?;
+        }
+        Some(sums)
     }
 
     #[inline(always)]
