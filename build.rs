@@ -1,5 +1,6 @@
 //! Chooses between ways for speed and ways for size. `cfg` does not know the opt-level: at "s" and "z", or if the user says
 //! so, this sets `embedded_raster_compact`. Where a test asks for the ways of a small core, it sets `embedded_raster_small_core`.
+//! Where neither is set, and the chip has vector registers, it sets `embedded_raster_vectors`.
 
 use std::env::{var, VarError};
 
@@ -13,7 +14,9 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed={TUNE}");
     println!("cargo::rerun-if-env-changed={CORE}");
-    println!("cargo::rustc-check-cfg=cfg(embedded_raster_compact, embedded_raster_small_core)");
+    println!(
+        "cargo::rustc-check-cfg=cfg(embedded_raster_compact, embedded_raster_small_core, embedded_raster_vectors)"
+    );
     let compact = match var(TUNE).as_deref() {
         Ok("size") => true,
         Ok("speed") => false,
@@ -32,6 +35,10 @@ fn main() {
     }
     if small_core {
         println!("cargo::rustc-cfg=embedded_raster_small_core");
+    }
+    let has_vectors = var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "x86_64" || arch == "aarch64");
+    if has_vectors && !compact && !small_core {
+        println!("cargo::rustc-cfg=embedded_raster_vectors");
     }
 }
 

@@ -61,8 +61,9 @@ pub(crate) const UNALIGNED: bool = !SMALL_CORE
 /// Armv6-M, where a multiple store moves on by itself.
 pub(crate) const MULTIPLE: bool = !UNALIGNED && (SMALL_CORE || ARM);
 
-/// Computers, which have vector registers: a choice without a branch is made for many pixels at once.
-pub(crate) const VECTORS: bool = !SMALL_CORE && !COMPACT && cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+/// Computers, which have vector registers: a choice without a branch is made for many pixels at once. `build.rs` sets it where the ways
+/// for speed are taken, but not those of a small core.
+pub(crate) const VECTORS: bool = cfg!(embedded_raster_vectors);
 
 /// Built for size: one short loop is better than three fast ones.
 pub(crate) const COMPACT: bool = cfg!(embedded_raster_compact);

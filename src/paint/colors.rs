@@ -15,6 +15,9 @@
 //! only, and green lies where it lies in the colour: four instructions on Cortex-M4, with one mask in a register.
 //!
 //! [`Fast`] has 16 bits for each fraction, and so all three in 64 bits.
+//!
+//! Computers with vector registers take each level in a number of its own instead, as those of larger colours: their compilers make vectors
+//! of several pixels of these, but not of numbers of 128 bits.
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
@@ -392,6 +395,9 @@ impl Varying for Fast<Levels> {
 macro_rules! packed {
     ($($color:ty),*) => {
         $(
+            #[cfg(embedded_raster_vectors)]
+            by_levels!($color, [u8; 3], |c| [c.r(), c.g(), c.b()], |[r, g, b]| Self::new(r, g, b));
+            #[cfg(not(embedded_raster_vectors))]
             by_levels!($color, Levels, |c| Levels([c.r(), c.g(), c.b()]), |Levels([r, g, b])| Self::new(r, g, b));
             by_levels!(
                 Fast<$color>,
