@@ -141,6 +141,38 @@ fn numbers_in_perspective_are_the_nearest_ones() {
     check(14, 16, texels, |n| Fast(pair(n)), |n: Fast<_>| -i64::from(n.0 .1.to_bits()));
 }
 
+/// However far away, up to the largest distance that there is: within half a step of a byte and 1/256.
+#[test]
+fn bytes_are_the_nearest_ones_from_any_distance() {
+    let mut rng = Rng::new(15);
+    for kind in 0..cases(TRIANGLES) {
+        let (units, window) = planes::triangle_of_kind(&mut rng, kind);
+        let bits = rng.int(0, 27);
+        let near = rng.range(1 << bits, (2 << bits) - 1);
+        let w = [(); 3].map(|()| {
+            let any = rng.range(near, near * 16);
+            rng.pick(&[near, near * 16, any]).min(i32::MAX.into())
+        });
+        let (values, facet) = ([(); 3].map(|()| bytes(&mut rng)), Facet::new(corners(units)).unwrap());
+        let plane = Plane::new(&facet, with(values, w, |n| n as u8));
+        triangle::fill(corners(units), window, |span: ClippedSpan| {
+            let mut columns = span.x0()..span.x1();
+            plane.each(span.x0(), span.y(), span.len(), |at| {
+                let x = columns.next().unwrap();
+                // The share of each corner: its weight, divided by its distance. Below 2^43 times 2^62.
+                let share = |i: usize| {
+                    let (weight, _) = planes::ratio(units, [0, 1, 2].map(|j| i64::from(i == j)), x, span.y());
+                    weight * i128::from(w[(i + 1) % 3]) * i128::from(w[(i + 2) % 3])
+                };
+                let shares = [share(0), share(1), share(2)];
+                let sum: i128 = (0..3).map(|i| shares[i] * i128::from(i64::from(at.value) - values[i])).sum();
+                let off = 256 * sum.abs();
+                assert!(off <= 129 * shares.iter().sum::<i128>(), "{units:?} {values:?} {w:?} at {x}, {}", span.y());
+            });
+        });
+    }
+}
+
 /// Both ends of each number.
 #[test]
 fn the_whole_range_is_kept() {

@@ -111,6 +111,20 @@ fn polygons_of_any_kind() {
     }
 }
 
+/// Lines end as on any system.
+#[test]
+fn ends_of_lines() {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/assets/forms.obj"));
+    let text = text.expect("it is there").replace("\r\n", "\n");
+    let mesh = Mesh::parse_obj(text.as_bytes()).expect("it is well-formed");
+    for end in ["\r\n", "\r"] {
+        let (other, wrong) = (text.replace('\n', end), format!("v 0 0 0{end}{end}f 1 \\{end}1 2{end}"));
+        assert_eq!(Mesh::parse_obj(other.as_bytes()), Ok(mesh.clone()), "{end:?}");
+        let error = Mesh::parse_obj(wrong.as_bytes()).expect_err("there is no second vertex").to_string();
+        assert_eq!(error, "line 3: `2` is no vertex: the file has 1 so far", "{end:?}");
+    }
+}
+
 /// Some editors begin a file with a mark of its encoding.
 #[test]
 fn a_byte_order_mark_says_nothing() {
@@ -184,9 +198,11 @@ fn what_is_wrong_with_a_file() {
         ("v 0 0 0\nf 1/1 1 1\n", "line 2: `1` is no place on the texture: the file has 0 so far"),
         ("v 0 0 0\nf 1//7 1 1\n", "line 2: `7` is no normal: the file has 0 so far"),
         ("v 0 0 0\nf 1/ 1 1\n", "line 2: `1/` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
+        ("v 0 0 0\nf /1 1 1\n", "line 2: `/1` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
         ("v 0 0 0\nf 1/1/ 1 1\n", "line 2: `1/1/` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
         ("v 0 0 0\nf 1/1/1/1 1 1\n", "line 2: `1/1/1/1` is no corner: that is V, V/VT, V//VN or V/VT/VN"),
         ("v 0 0 0\nf \\\n1 \\\n1 7\n", "line 2: `7` is no vertex: the file has 1 so far"),
+        ("csh ls\ncall other.obj 1\n", "line 2: the file ends without a face"),
         ("v 0 0 0\nf 1 1 \\", "line 2: a face of 2 corners: it has three or more"),
         (
             "\u{7f}ELF\u{1}0123456789012345678901234567\n",

@@ -21,7 +21,7 @@ const SQUARES: f64 = 16.0;
 const REPEATS: f64 = 1_000.0;
 
 /// What a file can say that is not shown here.
-const IGNORED: [&str; 39] = [
+const IGNORED: [&str; 40] = [
     "g",
     "o",
     "s",
@@ -61,6 +61,7 @@ const IGNORED: [&str; 39] = [
     "cdp",
     "res",
     "call",
+    "csh",
 ];
 
 /// A corner of a face, by places in the lists of the file.
@@ -101,9 +102,10 @@ impl Mesh {
     /// ```
     pub fn parse_obj(text: &[u8]) -> Result<Self, ParseError> {
         let mut lists = Lists::default();
-        let text = String::from_utf8_lossy(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
+        let text = String::from_utf8_lossy(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)).replace("\r\n", "\n");
         let mut end = 1;
-        let mut lines = (1..).zip(text.lines());
+        // Old files end their lines with a carriage return alone.
+        let mut lines = (1..).zip(text.strip_suffix(['\n', '\r']).unwrap_or(&text).split(['\n', '\r']));
         while let Some((line, first)) = lines.next() {
             let mut whole = String::new();
             let (mut part, mut last) = (without_comment(first), line);
@@ -171,7 +173,7 @@ impl Lists {
     fn reference(&self, word: &str) -> Result<Reference, String> {
         let mut parts = word.split('/');
         let (place, texel, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
-        if parts.next().is_some() || normal == Some("") || texel == Some("") && normal.is_none() {
+        if parts.next().is_some() || place.is_empty() || normal == Some("") || texel == Some("") && normal.is_none() {
             return Err(format!("{} is no corner: that is V, V/VT, V//VN or V/VT/VN", quoted(word)));
         }
         let optional = |part: Option<&str>, len, what| {
