@@ -57,13 +57,24 @@ pub struct Part {
 }
 
 impl Part {
-    /// Which way the curve goes at a time: its derivative, in units of 2^-8, rounded towards zero; or the first that is not 0 of the
+    /// Its derivative at a time, in units of 2^-24, rounded towards zero.
+    fn slope(&self, time: i128) -> (i128, i128) {
+        let slope = |[a, b, c]: [i128; 3]| (3 * a * time * time + 2 * b * time * END + c * END * END) / (1 << 16);
+        (slope(self.powers(|p| p.0)), slope(self.powers(|p| p.1)))
+    }
+
+    /// Which way it goes from a time on, for so long, is a curve of the second degree: its middle control point, as a way.
+    pub fn bend_of_way(&self, from: i128, length: i128) -> (i128, i128) {
+        let [a, m, b] = [0, length / 2, length].map(|time| self.slope(from + time));
+        (4 * m.0 - a.0 - b.0, 4 * m.1 - a.1 - b.1)
+    }
+
+    /// Which way the curve goes at a time: its derivative; or the first that is not 0 of the
     /// second one, which before that time counts backwards, and the third.
     pub fn way(&self, time: i128, before: bool) -> (i128, i128) {
-        let ([a, b, c], [d, e, f]) = (self.powers(|p| p.0), self.powers(|p| p.1));
-        let slope = |a: i128, b: i128, c: i128| (3 * a * time * time + 2 * b * time * END + c * END * END) / (1 << 32);
+        let ([a, b, _], [d, e, _]) = (self.powers(|p| p.0), self.powers(|p| p.1));
         let bend = |a: i128, b: i128| if before { -3 * a * time - b * END } else { 3 * a * time + b * END };
-        let ways = [(slope(a, b, c), slope(d, e, f)), (bend(a, b), bend(d, e)), (a, d)];
+        let ways = [self.slope(time), (bend(a, b), bend(d, e)), (a, d)];
         ways.into_iter().find(|&way| way != (0, 0)).unwrap_or((0, 0))
     }
 
@@ -226,46 +237,33 @@ fn is_flat_beside(points: &[Units], (from, to): (i128, i128), width: i32) -> boo
     if !is_small(&u) || !is_small(&v) {
         return false;
     }
+    let (c, scale) = chord(points, from, to);
+    let (square, longer) = (c.0 * c.0 + c.1 * c.1, c.0.abs().max(c.1.abs()));
     if [u, v].iter().all(|w| w.0 * w.0 + w.1 * w.1 <= 64) {
         return true;
     }
-    let (c, scale) = chord(points, from, to);
-    let square = c.0 * c.0 + c.1 * c.1;
-    let is_along = |w: (i128, i128)| (w.0 * c.0 + w.1 * c.1).abs() / scale <= square;
+    let along = |w: (i128, i128)| w.0 * c.0 + w.1 * c.1;
     let across = |w: (i128, i128)| (w.0 * c.1 - w.1 * c.0).abs();
-    if square == 0 || !is_along(u) || !is_along(v) {
+    if square == 0 || [u, v].iter().any(|&w| along(w).abs() / scale > square) {
         return false;
     }
-    let width_wide = i128::from(width);
-    let signed = |w: (i128, i128)| w.0 * c.1 - w.1 * c.0;
-    let [p, q] = [signed((2 * u.0 - v.0, 2 * u.1 - v.1)), signed((2 * v.0 - u.0, 2 * v.1 - u.1))];
-    let is_sharp = p.abs().max(q.abs()) * width_wide / (scale * scale) >= c.0.abs().max(c.1.abs()) * square;
-    if is_sharp && (p - q).abs() * width_wide / scale > 192 * square {
-        return false;
-    }
-    let turn = (across((2 * u.0 - v.0, 2 * u.1 - v.1)) + across((2 * v.0 - u.0, 2 * v.1 - u.1))) * 4096 / scale;
-    if turn >= square * 4096 {
-        return false;
-    }
-    let mut turn = turn / square;
     // The ways at the ends, as seen along the chord.
-    let along = |w: (i128, i128)| (w.0 * c.0 + w.1 * c.1).div_euclid(scale);
-    let speeds = [square - along(u), square + along(v)];
-    if speeds.iter().any(|speed| speed * 4 < square * 3) {
-        let mut ends = 0;
-        for (speed, w) in speeds.into_iter().zip([u, v]) {
-            let part = (across(w) - c.0.abs() - c.1.abs()).max(0) * 4096 / scale;
-            if part > 0 && (speed <= 0 || part >= speed * 4096) {
-                return false;
-            }
-            ends += if part > 0 { part / speed } else { 0 };
-        }
-        if ends >= 4096 {
+    let speeds = [square - along(u).div_euclid(scale), square + along(v).div_euclid(scale)];
+    let mut angles = vec![];
+    for (speed, w) in speeds.into_iter().zip([u, v]) {
+        let across = (across(w) + c.0.abs() + c.1.abs()) * 4096 / scale;
+        if speed <= 0 || across >= speed * 4096 {
             return false;
         }
-        turn = turn.max(ends);
+        angles.push(across / speed);
     }
-    let rest = 128 - turn.pow(2) * i128::from(width) / if width <= THIN { 1 << 22 } else { 1 << 26 };
+    let (wide, most) = (i128::from(width), angles[0].max(angles[1]));
+    let is_slow = speeds.iter().any(|speed| speed * 4 < square * 3);
+    let is_sharp = wide * (angles[0] + angles[1]) / 8192 / scale >= longer;
+    if (is_slow || is_sharp) && wide * (angles[0] - angles[1]).abs() > 64 * 4096 {
+        return false;
+    }
+    let rest = 128 - most * most * wide / if width <= THIN { 1 << 20 } else { 1 << 24 };
     rest >= 32 && [u, v].iter().all(|&w| across(w).pow(2) <= rest.pow(2) * square)
 }
 

@@ -10,12 +10,14 @@ use super::{
 
 type Place = (f64, f64);
 
-/// Places on each curve.
-const SAMPLES: usize = 1_500;
+/// How often a curve is halved at most.
+const DEPTH: u32 = 26;
 
 /// A place on a path, and the direction there, of length 1.
 #[derive(Copy, Clone, Debug)]
 struct Sample {
+    /// Of the segment.
+    time: f64,
     at: Place,
     way: Place,
 }
@@ -51,29 +53,59 @@ fn unit(a: Place) -> Option<Place> {
     (length > 1e-9).then(|| (a.0 / length, a.1 / length))
 }
 
-/// The samples of a segment; none if it has no length.
-fn samples(points: &[Place]) -> Vec<Sample> {
+/// The samples of a segment; none if it has no length. From one to the next a curve turns by so little, or is so short, that what is in
+/// between is as good as straight.
+fn samples(points: &[Place], half: f64) -> Vec<Sample> {
     let n = points.len() - 1;
     if points.iter().all(|&p| p == points[0]) {
         return vec![];
     }
-    let count = if n == 1 { 1 } else { SAMPLES };
-    let hodograph: Vec<Place> = points.windows(2).map(|p| sub(p[1], p[0])).collect();
     // At an end where the first derivative is 0, the direction to the next control point that is elsewhere.
     let first = points.iter().find_map(|&p| unit(sub(p, points[0])));
     let last = points.iter().rev().find_map(|&p| unit(sub(points[n], p)));
-    let mut all: Vec<Sample> = vec![];
-    for i in 0..=count {
-        let t = i as f64 / count as f64;
-        let way = match i {
-            0 => first,
-            _ if i == count => last,
-            _ => unit(bezier(hodograph.clone(), t)),
-        };
-        let Some(way) = way else { continue };
-        all.push(Sample { at: bezier(points.to_vec(), t), way });
+    let (Some(first), Some(last)) = (first, last) else { return vec![] };
+    let mut all = vec![Sample { time: 0.0, at: points[0], way: first }];
+    if n > 1 {
+        halve(points, Sample { time: 1.0, at: points[n], way: last }, (half, 0), &mut all);
+    } else {
+        all.push(Sample { time: 1.0, at: points[n], way: last });
     }
     all
+}
+
+fn slope(points: &[Place], time: f64) -> Place {
+    bezier(points.windows(2).map(|p| sub(p[1], p[0])).collect(), time)
+}
+
+/// At a time; none where a curve stands still.
+fn sample(points: &[Place], time: f64) -> Option<Sample> {
+    Some(Sample { time, at: bezier(points.to_vec(), time), way: unit(slope(points, time))? })
+}
+
+fn angle(u: Place, v: Place) -> f64 {
+    cross(u, v).atan2(dot(u, v)).abs()
+}
+
+/// From the last sample to this one.
+fn halve(points: &[Place], end: Sample, (half, depth): (f64, u32), all: &mut Vec<Sample>) {
+    let start = all[all.len() - 1];
+    let middle = f64::midpoint(start.time, end.time);
+    // The slope is a curve of the second degree, which turns by no more than its control points do.
+    let [a, m, b] = [start.time, middle, end.time].map(|time| slope(points, time));
+    let bend = unit((2.0 * m.0 - f64::midpoint(a.0, b.0), 2.0 * m.1 - f64::midpoint(a.1, b.1)));
+    let turns = bend.map_or([7.0; 2], |bend| [angle(start.way, bend), angle(bend, end.way)]);
+    let turn = turns[0] + turns[1];
+    // There and back again: none of both ends tells how far it turns.
+    let back = bend.filter(|&bend| cross(start.way, bend) * cross(bend, end.way) < 0.0);
+    let is_uneven = back.is_some() && turns[0].min(turns[1]) * half > 2.0;
+    let far = sub(end.at, start.at);
+    if depth < DEPTH && (is_uneven || turn > 0.05 || turn * far.0.hypot(far.1) > 2.0) {
+        if let Some(middle) = sample(points, middle).or_else(|| sample(points, middle + (middle - start.time) / 8.0)) {
+            halve(points, middle, (half, depth + 1), all);
+            return halve(points, end, (half, depth + 1), all);
+        }
+    }
+    all.push(end);
 }
 
 impl Model {
@@ -93,7 +125,7 @@ impl Model {
                 }
                 Piece::Close => {
                     let (_, mut runs) = contour.take().unwrap_or((at, vec![]));
-                    runs.push(samples(&[at, start]));
+                    runs.push(samples(&[at, start], half));
                     model.add(Some((start, runs)), start, true);
                     continue;
                 }
@@ -102,7 +134,7 @@ impl Model {
                 Piece::Cubic(a, b, c) => vec![at, float(a), float(b), float(c)],
             };
             let (to, runs) = contour.get_or_insert_with(|| (at, vec![]));
-            runs.push(samples(&points));
+            runs.push(samples(&points, half));
             *to = points[points.len() - 1];
         }
         model

@@ -168,8 +168,10 @@ impl Pen {
 
     /// A side, as wide as the pen, which goes these ways at its ends.
     pub fn side(&self, a: Units, b: Units, [u, v]: [Unit; 2]) -> Vec<Vec<Units>> {
-        let turns = ((ONE * ONE - dot(u, v)).max(0) / ONE) * i128::from(self.width) > 256 * ONE;
-        if (turns || self.width <= THIN && u != v) && a != b {
+        if a == b {
+            return self.join(a, u, v, true);
+        }
+        if self.width <= THIN && u != v {
             let chord = direction(a, b);
             return [self.join(a, u, chord, true), self.side(a, b, [chord; 2]), self.join(b, chord, v, true)].concat();
         }
@@ -180,6 +182,12 @@ impl Pen {
         // Where both ends cross, what lies behind is turned over: once back, twice more.
         let chord = between(a, b);
         let (along, behind, turn) = (cross(chord, s), cross(chord, r), cross(r, s));
+        if is_tiny(a, b, self.width) && along < 0 && behind < 0 {
+            // It goes backwards as a whole.
+            let back = vec![right, left, left_end, right_end];
+            parts.extend([back.clone(), back]);
+            return parts;
+        }
         if along.abs() < turn.abs() && behind.abs() < turn.abs() && (along < 0) == (behind < 0) {
             let is_right = (along < 0) == (turn < 0);
             let mut scale = 1;
@@ -208,7 +216,7 @@ impl Pen {
 
     fn contour(&self, outline: &Outline) -> Vec<Vec<Units>> {
         let Some(&start) = outline.places.first() else { return vec![] };
-        let sides = sides(outline, self.width <= THIN);
+        let sides = sides(outline, self.width);
         if sides.is_empty() {
             return match self.cap {
                 Cap::Round => self.disc(start),
@@ -283,31 +291,86 @@ pub struct Side {
     pub part: Option<Part>,
 }
 
-/// The sides of a contour that have a length. At a place given several times the path is smooth if it is each time.
-pub fn sides(outline: &Outline, is_thin: bool) -> Vec<Side> {
-    let mut nodes: Vec<(Units, bool, Option<&Part>)> = vec![];
-    for (i, (&place, &smooth)) in outline.places.iter().zip(&outline.smooth).enumerate() {
-        match nodes.last_mut() {
-            Some(last) if last.0 == place => last.1 &= smooth,
-            _ => nodes.push((place, smooth, outline.parts.get(i).and_then(Option::as_ref))),
+/// Whether a side is so short, beside the width of its stroke, that what it turns by has to be looked at.
+fn is_tiny(a: Units, b: Units, width: i32) -> bool {
+    let (x, y) = between(a, b);
+    x.abs().max(y.abs()).pow(2) <= 4 * i128::from(width)
+}
+
+/// The sides of a contour that have a length, and those where a curve turns. At a place given several times the path is smooth if it is
+/// each time.
+pub fn sides(outline: &Outline, width: i32) -> Vec<Side> {
+    let (Some(&start), Some(&smooth)) = (outline.places.first(), outline.smooth.first()) else { return vec![] };
+    let (mut all, mut last) = (vec![], (start, smooth));
+    for (i, (&b, &smooth)) in outline.places.iter().zip(&outline.smooth).enumerate().skip(1) {
+        let (a, part) = (last.0, outline.parts.get(i).and_then(Option::as_ref));
+        match part {
+            Some(part) if width > THIN && is_tiny(a, b, width) && (a != b || part.way(0, false) != (0, 0)) => {
+                all.extend(turn(part, (a, b), last.1, width));
+                last = (b, smooth);
+            }
+            _ if a == b => last.1 &= smooth,
+            _ => {
+                let chord = direction(a, b);
+                let way = |part: &Part, (time, before): (i128, bool)| match part.way(time, before) {
+                    (0, 0) => chord,
+                    _ if width <= THIN && time != 0 && time != END => chord,
+                    way => direction_of(way),
+                };
+                let ways = part.map_or([chord; 2], |part| [(part.from, false), (part.to, true)].map(|t| way(part, t)));
+                all.push(Side { a, b, ways, smooth: last.1, part: part.cloned() });
+                last = (b, smooth);
+            }
         }
     }
-    if outline.closed && nodes.len() > 1 && nodes[0].0 != nodes[nodes.len() - 1].0 {
-        nodes.push((nodes[0].0, false, None));
+    if outline.closed && !all.is_empty() && last.0 != start {
+        let chord = direction(last.0, start);
+        all.push(Side { a: last.0, b: start, ways: [chord; 2], smooth: last.1, part: None });
     }
-    let side = |n: &[(Units, bool, Option<&Part>)]| {
-        let (a, b, part) = (n[0].0, n[1].0, n[1].2.cloned());
-        let chord = direction(a, b);
-        let way = |part: &Part, (time, before): (i128, bool)| match part.way(time, before) {
-            (0, 0) => chord,
-            _ if is_thin && time != 0 && time != END => chord,
-            way => direction_of(way),
-        };
-        let ways =
-            part.as_ref().map_or([chord; 2], |part| [(part.from, false), (part.to, true)].map(|time| way(part, time)));
-        Side { a, b, ways, smooth: n[0].1, part }
+    all
+}
+
+/// A tiny part of a curve: a side, or turns where it starts, a way straight to where it ends, and turns there.
+fn turn(part: &Part, (a, b): (Units, Units), smooth: bool, width: i32) -> Vec<Side> {
+    let width = i128::from(width);
+    let of = |way: (i128, i128)| (way != (0, 0)).then(|| direction_of(way));
+    let way = |time: i128, before: bool| of(part.way(time, before)).unwrap_or((ONE, 0));
+    let leads = |u: Unit| {
+        let chord = between(a, b);
+        chord.0 * u.0 + chord.1 * u.1 > 0
     };
-    nodes.windows(2).map(side).collect()
+    let is_even = |u: Unit, time: i128, length: i128, v: Unit| {
+        let Some(bend) = of(part.bend_of_way(time, length)) else { return false };
+        let (p, q) = (cross(u, bend), cross(bend, v));
+        let is_back = (p < 0) != (q < 0) && (p.abs().min(q.abs()) / ONE) * width > 64 * ONE;
+        dot(u, v).div_euclid(ONE) > 759_250_125 && dot(u, bend) > 0 && dot(bend, v) > 0 && !is_back
+    };
+    let (mut u, last) = (way(part.from, false), way(part.to, true));
+    let turns_much = ((ONE * ONE - dot(u, last)).max(0) / ONE) * width > 256 * ONE;
+    if a != b && leads(u) && leads(last) && !turns_much && is_even(u, part.from, part.to - part.from, last) {
+        return vec![Side { a, b, ways: [u, last], smooth, part: Some(part.clone()) }];
+    }
+    let (mut all, mut time): (Vec<Side>, _) = (vec![], part.from);
+    for (place, until) in [(a, part.from + (part.to - part.from) / 2), (b, part.to)] {
+        if place == b && a != b {
+            let smooth = smooth || !all.is_empty();
+            all.push(Side { a, b, ways: [u; 2], smooth, part: Some(part.clone()) });
+        }
+        while time < until {
+            let mut length = until - time;
+            while time % length != 0 {
+                length /= 2;
+            }
+            while length > 64 && !is_even(u, time, length, way(time + length, true)) {
+                length /= 2;
+            }
+            let smooth = smooth || !all.is_empty();
+            all.push(Side { a: place, b: place, ways: [u, way(time + length, true)], smooth, part: None });
+            time += length;
+            u = way(time, false);
+        }
+    }
+    all
 }
 
 /// Lengths on and off, and how far into them a contour starts.
@@ -346,7 +409,7 @@ impl Pen {
                 break;
             }
         }
-        let sides = sides(outline, self.width <= THIN);
+        let sides = sides(outline, self.width);
         if sides.is_empty() {
             let dot = if index % 2 == 0 { self.parts(std::slice::from_ref(outline)) } else { vec![] };
             return dot;
@@ -356,9 +419,17 @@ impl Pen {
         // Whether a dash ended where the last side did.
         let mut goes_on = false;
         for side in sides {
+            if side.a == side.b {
+                // A turn has no length.
+                goes_on = false;
+                if index % 2 == 0 {
+                    dash.push(side);
+                }
+                continue;
+            }
             let straight = length(side.a, side.b);
             let length = straight + side.part.as_ref().map_or(0, |part| part.excess(straight >> 8));
-            let u = if side.ways[0] == side.ways[1] { side.ways[0] } else { direction(side.a, side.b) };
+            let u = if side.part.is_none() { side.ways[0] } else { direction(side.a, side.b) };
             let place = |s: i128| {
                 let along = |from: i32, u: i128| {
                     let n = u.abs() * s;

@@ -81,44 +81,43 @@ impl Bends {
             return true;
         }
         let (c, scale) = chord(bits(from), bits(to));
+        let longer = c.0.unsigned_abs().max(c.1.unsigned_abs());
         let Some(square) = NonZeroU32::new(product(c, c)) else { return false };
         let is_along = |w: (i32, i32)| product(w, c).wrapping_shr(scale) <= square.get();
         if !(is_along(first) && is_along(second)) {
             return false;
         }
-        // W is linear. The coordinates of W(0) and W(1) are below 2^17, and their products with c below 2^33.
         let across = |w: (i32, i32)| {
             let product = |a: i32, b: i32| i64::from(a).wrapping_mul(i64::from(b));
             product(w.0, c.1).wrapping_sub(product(w.1, c.0))
         };
-        let on = |p: i32, q: i32| p.wrapping_mul(2).wrapping_sub(q);
-        let start = across((on(first.0, second.0), on(first.1, second.1)));
-        let end = across((on(second.0, first.0), on(second.1, first.1)));
-        let (uneven, wide) = (start.abs_diff(end), u64::from(width));
-        let (start, end) = (start.unsigned_abs(), end.unsigned_abs());
-        // Where the inner border may turn back, it does not turn unevenly.
-        let longer = u64::from(c.0.unsigned_abs().max(c.1.unsigned_abs()));
-        let sharp = start.max(end).wrapping_mul(wide).wrapping_shr(2_u32.wrapping_mul(scale));
-        if sharp >= longer.wrapping_mul(square.get().into())
-            && uneven.wrapping_mul(wide).wrapping_shr(scale) > u64::from(square.get()).wrapping_mul(192)
+        // The ways at the ends are c - W(1/3) and c + W(2/3): how far they go along c, times its length. Below 2^33.
+        let mean = i64::from(square.get());
+        let speeds = [
+            mean.wrapping_sub(dot(first, c).wrapping_shr(scale)),
+            mean.wrapping_add(dot(second, c).wrapping_shr(scale)),
+        ];
+        // W and c are rounded.
+        let rounding = u64::from(c.0.unsigned_abs()).wrapping_add(c.1.unsigned_abs().into());
+        let angle = |w: (i32, i32), speed: i64| {
+            let speed = NonZeroU32::new(u32::try_from(speed).ok()?)?;
+            let across = (across(w).unsigned_abs().wrapping_add(rounding) << 12).wrapping_shr(scale);
+            (across < u64::from(speed.get()) << 12).then(|| div_rem_wide(across, speed).0)
+        };
+        let (Some(start), Some(end)) = (angle(first, speeds[0]), angle(second, speeds[1])) else { return false };
+        let is_slow = speeds.iter().any(|&speed| speed.wrapping_mul(4) < mean.wrapping_mul(3));
+        // Where the inner border may turn back, and where it is slow, it does not turn unevenly.
+        let wide = u64::from(width);
+        let sharp = wide.wrapping_mul(u64::from(start.wrapping_add(end))) >> 13;
+        if (is_slow || sharp.wrapping_shr(scale) >= u64::from(longer))
+            && wide.wrapping_mul(start.abs_diff(end).into()) > 64 << 12
         {
             return false;
         }
-        // In units of 2^-12.
-        let sum = (start.wrapping_add(end) << 12).wrapping_shr(scale);
-        if sum >= u64::from(square.get()) << 12 {
-            return false;
-        }
-        let (turn, _) = div_rem_wide(sum, square);
-        let Some(ends) =
-            turn_of_slow_ends([first, second].map(|w| (dot(w, c).wrapping_shr(scale), across(w))), c, scale, square)
-        else {
-            return false;
-        };
-        let turn = turn.max(ends);
-        // 4 (D - w T^2 / 16), rounded up.
-        let down = if width <= THIN { 22 } else { 26 };
-        let turned = u64::from(turn.wrapping_mul(turn)).wrapping_mul(u64::from(width)).wrapping_shr(down);
+        // 4 (D - w m^2 / 4), rounded up.
+        let down = if width <= THIN { 20 } else { 24 };
+        let most = u64::from(start.max(end));
+        let turned = most.wrapping_mul(most).wrapping_mul(wide).wrapping_shr(down);
         // At least a quarter of D is left for the curve itself.
         let Some(rest) = (1_u64 << FOUR_D_BITS).checked_sub(turned).filter(|&rest| rest >= 32) else { return false };
         let flat = |w: (i32, i32)| {
@@ -136,33 +135,6 @@ impl Bends {
         // ends.
         size < unsigned(i32::MAX) && view.hides(from, to, i64::from(size >> 2).wrapping_add(3))
     }
-}
-
-/// Where an end of a part is slow, it turns there by more than T tells: the angle between its chord and its ways at both ends, in units
-/// of 2^-12, rounded down; 0 if both ends have three quarters of the mean speed, `None` if it is 1 or more. `bends` are the products
-/// of W(1/3) and W(2/3) with c, along and across.
-#[inline(never)]
-fn turn_of_slow_ends([first, second]: [(i64, i64); 2], c: (i32, i32), scale: u32, square: NonZeroU32) -> Option<u32> {
-    let mean = i64::from(square.get());
-    // The ways are c - W(1/3) and c + W(2/3).
-    let speeds = [mean.wrapping_sub(first.0), mean.wrapping_add(second.0)];
-    if speeds.iter().all(|&speed| speed.wrapping_mul(4) >= mean.wrapping_mul(3)) {
-        return Some(0);
-    }
-    // W is rounded: an end that stands still, as where a control point lies on it, turns by nothing.
-    let rounding = u64::from(c.0.unsigned_abs()).wrapping_add(c.1.unsigned_abs().into());
-    let mut turn = 0_u32;
-    for (speed, (_, across)) in speeds.into_iter().zip([first, second]) {
-        let across = (across.unsigned_abs().saturating_sub(rounding) << 12).wrapping_shr(scale);
-        if across > 0 {
-            let speed = u32::try_from(speed).ok().and_then(NonZeroU32::new)?;
-            if across >= u64::from(speed.get()) << 12 {
-                return None;
-            }
-            turn = turn.wrapping_add(div_rem_wide(across, speed).0);
-        }
-    }
-    Some(turn).filter(|&turn| turn < 1 << 12)
 }
 
 /// The scalar product of two vectors.

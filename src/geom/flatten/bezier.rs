@@ -180,6 +180,21 @@ impl Bezier {
         [way(self.from, false), way(self.part.time(self.part.done), true)]
     }
 
+    /// When the piece that came last began and when it ended.
+    pub(crate) fn times(&self) -> (u32, u32) {
+        (self.from, self.part.time(self.part.done))
+    }
+
+    /// Which way it goes from a time on, for so long, is a curve of the second degree: its middle control point, as a way.
+    pub(crate) fn bend_of_way(&self, from: u32, length: u32) -> Way {
+        let slopes = [0, length >> 1, length].map(|t| {
+            let time = from.wrapping_add(t);
+            (self.x.slope(time), self.y.slope(time))
+        });
+        let control = |[a, m, b]: [i64; 3]| (m << 2).wrapping_sub(a).wrapping_sub(b);
+        (control(slopes.map(|s| s.0)), control(slopes.map(|s| s.1)))
+    }
+
     /// Which way it goes where the piece that came last passes a place beside it, as seen along a vector of 30 bits: within a
     /// 2^12th of its time.
     #[inline(never)]
@@ -219,7 +234,7 @@ impl Bezier {
 
     /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
     #[inline(never)]
-    fn way(&self, time: u32, before: bool) -> Way {
+    pub(crate) fn way(&self, time: u32, before: bool) -> Way {
         let slope = (self.x.slope(time), self.y.slope(time));
         if slope != (0, 0) {
             return slope;

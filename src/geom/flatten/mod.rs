@@ -42,20 +42,19 @@
 //! **For strokes** the borders beside the curve count too: they bend with it, the outer one more. A curve for a stroke of the
 //! width w is halved until each part is flat in this sense:
 //! ```text
-//!     |W x c| / 4 |c| + w T^2 / 16 <= D  and  |W c| <= |c|^2,    T = (|W(0) x c| + |W(1) x c|) / |c|^2 < 1
+//!     |W x c| / 4 |c| + w m^2 / 4 <= D  and  |W c| <= |c|^2,    m = max(p, q) < 1
+//!     p = |W(1/3) x c| / c (c - W(1/3))       q = |W(2/3) x c| / c (c + W(2/3))
 //!     or  |W| <= 8
 //! ```
-//! T is the angle that the part turns by. Between the offsets of its ends, which are w / 2 long, a border turns by it too, and bends
-//! from its chord by w T^2 / 16 more than the part does from its own. That summand takes at most 3/4 of D. For thin strokes, up to
-//! 1.25 pixels, it is `w T^2` instead: then one line turns so little that its straight sides hardly differ from the curve's. A part
-//! that is flat by the second line only is a cusp, or nearly one: what turns there is a join.
+//! The ways at both ends are c - W(1/3) and c + W(2/3): p and q are the tangents of their angles with the chord. Between the offsets of
+//! its ends, which are w / 2 long, a border bends from its chord by `w m^2 / 4` more than the part does from its own. That summand takes
+//! at most 3/4 of D. For thin strokes, up to 1.25 pixels, it is `4 w m^2` instead: then one line turns so little that its straight sides
+//! hardly differ from the curve's. A part that is flat by the third line only may turn by any angle: there the pen turns on the spot, see
+//! [`stroke`](crate::raster::stroke).
 //!
-//! Where an end of a part has less than 3/4 of its mean speed, it turns by more than that: then T is at least the sum of the tangents of
-//! the angles between c and the ways at both ends, c - W(1/3) and c + W(2/3).
-//!
-//! Where `w |V x c| >= m |c|^2` for V = W(0) or W(1), m being the longer component of c, the radius of the curve may be less than
-//! w / 2, and the inner border may go backwards. There the part has to turn evenly as well: with
-//! `w |(W(0) - W(1)) x c| <= 192 |c|^2` no offset ends more than 24 units from where it would if the part turned evenly.
+//! Where `w (p + q) / 2 >= l`, l being the longer component of c, the radius of the curve may be less than w / 2, and the inner border
+//! may go backwards. There, and where one end of a part has less than 3/4 of its mean speed, the part has to turn evenly as well: with
+//! `w |p - q| <= 64` no offset ends more than some units from where it would if the part turned evenly.
 //!
 //! At the end of each line the *way* of the curve is known. It is the first of these that is not 0: P'; P'', which counts backwards
 //! before that time; the third derivative.

@@ -58,15 +58,16 @@ impl Polynomial {
         (self.a.unsigned_abs() | self.b.unsigned_abs()) >> 28 == 0
     }
 
-    /// Its slope at `t / 2^20`, times 2^8, rounded towards zero: below 2^44.
+    /// Its slope at `t / 2^20`, times 2^24, rounded towards zero: below 2^60.
     ///
     /// `3 a t + 2 b` is below 2^38, and times 2^20 it has 58 bits. Times t, and with the slope at the start, `c 2^40`, it has 80.
     #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn slope(&self, t: u32) -> i64 {
         let first = self.a.wrapping_mul(3).wrapping_mul(i64::from(t)).wrapping_add(self.b << (TIME_BITS + 1));
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
-        let slope = high.wrapping_add(self.c << (2 * TIME_BITS - 32));
-        slope.wrapping_add(i64::from(slope < 0 && low != 0))
+        let high = high.wrapping_add(self.c << (2 * TIME_BITS - 32));
+        let slope = high << 16 | i64::from(low >> 16);
+        slope.wrapping_add(i64::from(slope < 0 && low & 0xffff != 0))
     }
 
     /// Its value at `t / 2^20`, rounded to nearest.

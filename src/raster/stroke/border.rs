@@ -52,7 +52,7 @@ impl<'a, const CURVED: bool> Border<'a, CURVED> {
     #[cfg_attr(embedded_raster_compact, inline(never))]
     fn add(&mut self, side: &Side) {
         let &Side { a, b, start, ways: [ua, ub] } = side;
-        let (pieces, is_straight) = (&mut self.pieces, !CURVED || ua == ub);
+        let (pieces, is_straight) = (&mut self.pieces, !CURVED || ua == ub && a != b);
         let is_drawn = !pieces.pen.sight.hides(a, b);
         let from = pieces.end(a, ua, b, is_straight, is_drawn);
         match self.last {
@@ -68,9 +68,11 @@ impl<'a, const CURVED: bool> Border<'a, CURVED> {
         if !is_drawn {
             return;
         }
-        // A side that turns by more than its border may does so within a hair, or it would not be one side. There, and where the
-        // stroke is thin, the pen turns before the side and after it.
-        let turns = !is_straight && (pieces.pen.width <= THIN || pieces.turns_much(ua, ub));
+        if CURVED && a == b {
+            return pieces.join(&from, &self.end, true);
+        }
+        // Where the stroke is thin, the pen turns before the side and after it.
+        let turns = !is_straight && pieces.pen.width <= THIN;
         match if turns { Direction::between(a, b) } else { None } {
             None => pieces.band(&from, &self.end),
             Some(u) => {

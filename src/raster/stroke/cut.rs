@@ -5,7 +5,7 @@ use super::{
     pen::Pen,
     sides::{follow, Whole},
 };
-use crate::geom::{flatten::THIN, PointFx};
+use crate::geom::PointFx;
 
 /// What cuts a stroke into dashes, or leaves it alone: `()` or a [`Dash`](super::Dash).
 pub trait Dashing: Cut {}
@@ -40,7 +40,7 @@ impl Cut for () {
     ) {
         let mut border = Border::<CURVED>::new(pen, each);
         while let Some(ref mut outline) = contours.next() {
-            follow(outline, &pen.sight, pen.width <= THIN, &mut border);
+            follow(outline, &pen.sight, pen.width, &mut border);
         }
     }
 }

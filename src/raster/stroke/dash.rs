@@ -45,7 +45,7 @@ use super::{
     style::Stroke,
 };
 use crate::{
-    geom::{bits, flatten::THIN, PointFx},
+    geom::{bits, PointFx},
     num::{
         cast::{low_u32, magnitude, saturate},
         round::div_rem_wide,
@@ -98,7 +98,7 @@ impl Cut for Dash<'_> {
         let border = Border::<CURVED>::new(pen, each);
         let mut cutter = Cutter { border, sight: &sight, pattern, first, at: first, skipped: 0, has_ended: false };
         while let Some(ref mut outline) = contours.next() {
-            follow(&mut outline.front(&sight, pattern.is_some()), &sight, pen.width <= THIN, &mut cutter);
+            follow(&mut outline.front(&sight, pattern.is_some()), &sight, pen.width, &mut cutter);
         }
     }
 }
@@ -263,10 +263,17 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
     fn side<O: Outline>(&mut self, side: &Side, outline: &O) {
         let Some(pattern) = self.pattern else { return self.border.side(side, outline) };
         self.end();
-        let &Side { a, b, ways: [start, end], .. } = side;
-        let u = if start == end { start } else { Direction::between(a, b).unwrap_or(start) };
+        let &Side { a, b, ways: [start, _], .. } = side;
+        let u = outline.curve().and_then(|_| Direction::between(a, b)).unwrap_or(start);
         let skipped = pattern.rest(mem::take(&mut self.skipped));
         pattern.advance(&mut self.at, skipped);
+        if a == b {
+            // A turn has no length.
+            if self.at.is_on() {
+                self.border.side(side, outline);
+            }
+            return;
+        }
         let (straight, more) = measure(a, b, outline);
         let mut length = Length { side: *side, u, straight, whole: straight.wrapping_add(more), s: 0, at: a };
         while length.s != length.whole {

@@ -5,7 +5,7 @@ use core::num::NonZeroU32;
 use crate::{
     geom::{bits, PointFx},
     num::{
-        cast::{low_u32, narrow, signed},
+        cast::{low_u32, magnitude, narrow, signed},
         root::square_root,
         round::{difference, div_rem_wide},
     },
@@ -61,6 +61,33 @@ impl Direction {
         self.cross(other.right())
     }
 
+    /// Whether it differs from another one by less than an eighth of a turn.
+    pub(crate) fn is_near(self, other: Self) -> bool {
+        self.dot(other) >> 30 > 759_250_125
+    }
+
+    /// Whether a straight line between the offsets in two directions would cut off 32 units or more of the circle that they lie on:
+    /// at an angle a it cuts off about `w (1 - cos a) / 8`.
+    pub(crate) fn turns_much(self, other: Self, width: u32) -> bool {
+        let less = magnitude((1_i64 << 60).wrapping_sub(self.dot(other)).max(0)) >> 30;
+        less.wrapping_mul(width.into()) > 256 << 30
+    }
+
+    /// Whether all ways between this one and v, which another one bends to, lie between both; or leave that by so little that half a
+    /// width that way ends within 16 units.
+    pub(crate) fn turns_evenly(self, bend: Self, v: Self, width: u32) -> bool {
+        let (p, q) = (self.cross(bend), bend.cross(v));
+        let less = p.unsigned_abs().min(q.unsigned_abs()) >> 30;
+        self.dot(bend) > 0 && bend.dot(v) > 0 && ((p < 0) == (q < 0) || less.wrapping_mul(width.into()) <= 64 << 30)
+    }
+
+    /// Whether it leads from a place towards another one, not far away.
+    pub(crate) fn leads(self, a: PointFx, b: PointFx) -> bool {
+        let (a, b) = (bits(a), bits(b));
+        let product = |n: i32, m: i32, u: i32| difference(m, n).wrapping_mul(i64::from(u));
+        product(a.0, b.0, self.x).wrapping_add(product(a.1, b.1, self.y)) > 0
+    }
+
     /// A turn to the left, by an angle of this cosine and sine.
     #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(crate) fn turned(self, (cos, sin): (i32, i32)) -> Self {
@@ -83,6 +110,13 @@ impl Direction {
 /// By less than so many units a place along a side, at a distance not above its length, is beside the line, or behind its end:
 /// as a direction is rounded, up to 2^-30 of a distance that has up to 41 bits.
 pub(crate) const OVERSHOT: u32 = 8;
+
+/// Whether a side is so short, beside the width of its stroke, that what it turns by has to be looked at: up to `2 sqrt(w)` units.
+pub(crate) fn is_tiny(a: PointFx, b: PointFx, width: u32) -> bool {
+    let (a, b) = (bits(a), bits(b));
+    let longer = u64::from(a.0.abs_diff(b.0).max(a.1.abs_diff(b.1)));
+    longer.wrapping_mul(longer) <= u64::from(width) << 2
+}
 
 /// How far two places are from each other, in units of 2^-16 pixel, rounded down. It takes a third of what the direction does.
 #[inline(never)]

@@ -28,9 +28,14 @@
 //!      \         /        backwards. What it encloses then belongs to the stroke too, as far as w/2 from the curve:
 //!       \__---__/         it is wound around once like all others.
 //! ```
-//! At a cusp a curve turns so sharply in one line that the straight way between the offsets of its ends would cut off 32 units (1/8
-//! pixel) of the circle around them. There both ends of the line have round joins, and what the pen sweeps over on the inner side
-//! belongs to the stroke too. Strokes up to 1.25 pixels wide go along the lines themselves, with such joins between them.
+//! **Where a curve turns within a hair** its lines say nothing of where it goes: at a cusp, at the tip of a hairpin, at an end whose
+//! control point is near. So with a line of at most `2 sqrt(w)` units, in x and in y, the slope of the curve is looked at. It is a curve
+//! of the second degree, and turns by no more than its three control points do. If those leave the angle between the ways at both ends by
+//! so much that half a width that way ends more than 16 units off, if that angle is an eighth of a turn or more, or cuts 32 units off the
+//! circle around the line's end, or if a way points back along the line, then the pen turns on the spot where the line starts, goes to
+//! where it ends without turning, and turns there. Half of the time of the line is spent at each end, and halved until each part turns
+//! evenly, or is 64 of the 2^20 that a curve has. A turn is a round join on both sides. Strokes up to 1.25 pixels wide go along the lines
+//! themselves, with such joins between them.
 //!
 //! A contour without length is a dot: with square caps a square, with round ones the pixels of
 //! [`Ellipse::circle`](crate::Ellipse::circle), with butt ones nothing.

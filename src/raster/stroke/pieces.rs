@@ -3,7 +3,7 @@
 use core::num::NonZeroU32;
 
 use super::{
-    direction::{moved, Direction},
+    direction::{is_tiny, moved, Direction},
     pen::Pen,
     style::{Cap, Join},
 };
@@ -232,19 +232,24 @@ impl<const CURVED: bool> Pieces<'_, CURVED> {
         }
     }
 
-    /// Whether a straight line between the offsets in two directions would cut off 32 units or more of the circle that they lie on:
-    /// at an angle a it cuts off about `w (1 - cos a) / 8`.
-    pub(super) fn turns_much(&self, u: Direction, v: Direction) -> bool {
-        let less = magnitude((1_i64 << 60).wrapping_sub(u.dot(v)).max(0)) >> 30;
-        less.wrapping_mul(self.pen.width.into()) > 256 << 30
-    }
-
     /// Both borders of a side.
     #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn band(&mut self, start: &End, end: &End) {
         let (a, b) = (start.at, end.at);
         let [right, left] = [start.offset, opposite(start.offset)].map(|o| moved(a, o));
         let [right_end, left_end] = [end.offset, opposite(end.offset)].map(|o| moved(b, o));
+        let goes_back = |end: &End| cross(between(a, b), end.offset) < 0;
+        if CURVED && is_tiny(a, b, self.pen.width) && goes_back(start) && goes_back(end) {
+            // It goes backwards, and counts as minus one. With that twice more, it is one.
+            self.line(right, right_end);
+            self.line(left_end, left);
+            for _ in 0..2 {
+                for (from, to) in [(right, left), (left, left_end), (left_end, right_end), (right_end, right)] {
+                    self.line(from, to);
+                }
+            }
+            return;
+        }
         let fold = if !CURVED || start.offset == end.offset { None } else { fold(start, end, self.pen.width) };
         let Some((is_right, apex)) = fold else {
             self.line(right, right_end);

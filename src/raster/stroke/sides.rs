@@ -2,9 +2,12 @@
 
 use core::slice;
 
-use super::{direction::Direction, pen::Sight};
+use super::{
+    direction::{is_tiny, Direction},
+    pen::Sight,
+};
 use crate::geom::{
-    flatten::{Bezier, Contour, Front, Knot, Way},
+    flatten::{Bezier, Contour, Front, Knot, Way, THIN},
     PointFx, Segments,
 };
 
@@ -121,7 +124,7 @@ impl Whole for Polyline<'_> {
     }
 }
 
-/// A side that can be seen.
+/// A side that can be seen. If it ends where it starts, the pen turns there.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Side {
     /// Where it starts.
@@ -159,8 +162,9 @@ pub(super) trait Follow {
     fn dot(&mut self, at: PointFx);
 }
 
-/// Goes along a contour. Sides of no length are left out. Where a stroke is thin, the sides inside of a curve are straight.
-pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, is_thin: bool, to: &mut impl Follow) {
+/// Goes along a contour. Sides of no length are left out, but where a curve turns. Where a stroke is thin, the sides inside of a curve
+/// are straight.
+pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, width: u32, to: &mut impl Follow) {
     let Some((start, _)) = outline.next_place() else { return };
     let mut last = Knot { at: start, smooth: false };
     let (mut way, mut moved, mut done) = (None, false, false);
@@ -174,7 +178,9 @@ pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, is_thin: bool, 
             }
             Knot { at: start, smooth: false }
         };
-        if knot.at == last.at {
+        let (a, b) = (last.at, knot.at);
+        let turns = width > THIN && !done && is_tiny(a, b, width) && outline.curve().is_some();
+        if a == b && !(turns && can_turn(outline, sight, a)) {
             // The same place again makes no side. It is smooth if both are.
             last.smooth = last.smooth && (knot.smooth || done);
             continue;
@@ -185,10 +191,14 @@ pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, is_thin: bool, 
             false => Start::Corner,
         };
         moved = true;
-        let (a, b) = (last.at, knot.at);
         let no_tip = |smooth: bool, v: PointFx| smooth || sight.hides_corner(v);
         let is_hidden = sight.hides(a, b) && no_tip(last.smooth, a) && no_tip(knot.smooth && !outline.ends_at(b), b);
-        match if is_hidden { None } else { ways(outline, (a, b), &mut way, !done, is_thin) } {
+        if turns && !is_hidden {
+            turn(outline, (a, b), kind, width, to);
+            (way, last) = (None, knot);
+            continue;
+        }
+        match if is_hidden { None } else { ways(outline, (a, b), &mut way, !done, width <= THIN) } {
             Some(ways) => to.side(&Side { a, b, ways, start: kind }, outline),
             None => to.hidden(a, b, outline),
         }
@@ -198,6 +208,58 @@ pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, is_thin: bool, 
         _ if !moved => to.dot(start),
         true => to.close(),
         false => to.stop(),
+    }
+}
+
+/// The shortest time that is looked at, of 2^20 for a curve: where a curve hardly moves, its way is rounded.
+const LEAST: u32 = 64;
+
+/// Whether a curve that is seen here goes anywhere.
+fn can_turn<O: Outline>(outline: &O, sight: &Sight, at: PointFx) -> bool {
+    !sight.hides(at, at) && outline.curve().is_some_and(|curve| curve.way(0, false) != (0, 0))
+}
+
+/// A tiny part of a curve may turn by any angle, and its chord says nothing of where it goes. The pen turns where it starts, goes
+/// straight to where it ends, and turns there.
+#[inline(never)]
+fn turn<O: Outline>(outline: &O, (a, b): (PointFx, PointFx), mut start: Start, width: u32, to: &mut impl Follow) {
+    let Some(curve) = outline.curve() else { return };
+    let way = |time: u32, before: bool| Direction::of(curve.way(time, before)).unwrap_or(Direction::RIGHT);
+    let (from, end) = curve.times();
+    let (mut u, last) = (way(from, false), way(end, true));
+    let is_even = |u: Direction, time: u32, length: u32, v: Direction| {
+        let bend = Direction::of(curve.bend_of_way(time, length));
+        u.is_near(v) && bend.is_some_and(|bend| u.turns_evenly(bend, v, width))
+    };
+    if a != b
+        && u.leads(a, b)
+        && last.leads(a, b)
+        && !u.turns_much(last, width)
+        && is_even(u, from, end.wrapping_sub(from), last)
+    {
+        return to.side(&Side { a, b, ways: [u, last], start }, outline);
+    }
+    let half = end.wrapping_sub(from) >> 1;
+    let (mut time, middle) = (from, from.wrapping_add(half));
+    for (place, until) in [(a, middle), (b, end)] {
+        if until != middle && a != b {
+            to.side(&Side { a, b, ways: [u; 2], start }, outline);
+            start = Start::Smooth;
+        }
+        while time < until {
+            // The longest that halving makes: a curve from its end to its start is cut at the same times.
+            let mut length = 1_u32.wrapping_shl((time | half).trailing_zeros());
+            let v = loop {
+                let v = way(time.wrapping_add(length), true);
+                if length <= LEAST || is_even(u, time, length, v) {
+                    break v;
+                }
+                length >>= 1;
+            };
+            to.side(&Side { a: place, b: place, ways: [u, v], start }, outline);
+            time = time.wrapping_add(length);
+            (u, start) = (way(time, false), Start::Smooth);
+        }
     }
 }
 
