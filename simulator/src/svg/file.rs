@@ -10,7 +10,7 @@ use std::{
 };
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use embedded_raster::{Affine, Cap, FillRule, Join, Path, PathSegment, Stroke, SvgError};
+use embedded_raster::{Affine, Cap, FillRule, Join, Path, PathSegment, PointFx, Stroke, SvgError};
 use fixed::types::{I16F16, I24F8};
 use roxmltree::{Document, Node, ParsingOptions};
 use simplecss::{DeclarationTokenizer, StyleSheet};
@@ -34,8 +34,21 @@ const MOST: usize = 1 << 26;
 const ELEMENT: usize = 64;
 
 /// Attributes that are named, and not followed.
-const LEFT_OUT: [&str; 8] =
-    ["mask", "clip-path", "filter", "marker-start", "marker-mid", "marker-end", "marker", "transform-origin"];
+const LEFT_OUT: [&str; 9] = [
+    "mask",
+    "clip-path",
+    "filter",
+    "marker-start",
+    "marker-mid",
+    "marker-end",
+    "marker",
+    "transform-origin",
+    "mix-blend-mode",
+];
+
+/// Attributes that are one length, and the elements that look at them.
+const LENGTHS: [&str; 13] = ["x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2"];
+const MEASURED: [&str; 7] = ["rect", "circle", "ellipse", "line", "use", "svg", "symbol"];
 
 /// An SVG file.
 #[derive(Debug)]
@@ -78,8 +91,18 @@ struct Style {
     dashes: Vec<f64>,
     phase: f64,
     is_visible: bool,
-    /// What per cents are of: width and height of the part of the plane that is shown.
+    /// The outline is painted before the inside.
+    is_outline_first: bool,
+    measure: Measure,
+}
+
+/// What lengths are of.
+#[derive(Copy, Clone, Debug)]
+struct Measure {
+    /// Per cents: width and height of the part of the plane that is shown.
     whole: [f64; 2],
+    /// The size of the font.
+    em: f64,
 }
 
 /// What a shape is painted with.
@@ -116,7 +139,8 @@ impl Default for Style {
             dashes: vec![],
             phase: 0.0,
             is_visible: true,
-            whole: [100.0, 100.0],
+            is_outline_first: false,
+            measure: Measure { whole: [100.0, 100.0], em: EM },
         }
     }
 }
@@ -162,7 +186,8 @@ impl File {
             }
         }
         let mut reader = Reader { document: &document, marks: vec![], unknown, errors: vec![], sheet, ids, left: MOST };
-        let style = Style { whole: [view[2], view[3]], ..Style::default() };
+        let measure = Measure { whole: [view[2], view[3]], em: EM };
+        let style = Style { measure, ..Style::default() };
         reader.read(root, &style, Transform::default(), Depth::default());
         let Reader { marks, unknown, errors, .. } = reader;
         Ok(Self { marks, view, size, aspect: aspect(root.attribute("preserveAspectRatio")), unknown, errors })
@@ -207,7 +232,13 @@ impl File {
                 phase: length(mark.style.phase),
                 color,
             });
-            shapes.push(Shape { path, fill: fill.map(|color| (mark.style.rule, color)), drop_out: None, outline });
+            let fill = fill.map(|color| (mark.style.rule, color));
+            if mark.style.is_outline_first {
+                shapes.push(Shape { path: path.clone(), fill: None, drop_out: None, outline });
+                shapes.push(Shape { path, fill, drop_out: None, outline: None });
+            } else {
+                shapes.push(Shape { path, fill, drop_out: None, outline });
+            }
         }
         shapes
     }
@@ -285,12 +316,16 @@ fn right_part(data: &str) -> (&str, Option<SvgError>) {
     (right, first)
 }
 
-/// Pixels of a unit.
+/// The size of a font, unless told.
+const EM: f64 = 16.0;
+
+/// Pixels of a unit, where the font has its usual size.
 fn unit(unit: LengthUnit) -> f64 {
     match unit {
         LengthUnit::None | LengthUnit::Px => 1.0,
-        LengthUnit::Em | LengthUnit::Pc => 16.0,
-        LengthUnit::Ex => 8.0,
+        LengthUnit::Em => EM,
+        LengthUnit::Pc => 16.0,
+        LengthUnit::Ex => EM / 2.0,
         LengthUnit::In => 96.0,
         LengthUnit::Cm => 96.0 / 2.54,
         LengthUnit::Mm => 96.0 / 25.4,
@@ -314,6 +349,16 @@ impl Depth {
     fn more(self) -> Self {
         Self { elements: self.elements + 1, ..self }
     }
+}
+
+/// The first child of a `switch` that asks for nothing that is not here, in English.
+fn first_plain<'a, 'input>(switch: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
+    let speaks = |list: &str| list.split(',').any(|one| one.trim().split('-').next() == Some("en"));
+    switch.children().find(|node| {
+        node.is_element()
+            && !node.has_attribute("requiredExtensions")
+            && node.attribute("systemLanguage").is_none_or(speaks)
+    })
 }
 
 /// Goes over a document.
@@ -354,7 +399,7 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         let name = node.tag_name().name();
         let said = self.said(node);
         let get = |name: &str| said.get(name).map(String::as_str);
-        if get("display") == Some("none") || get("opacity").and_then(|n| n.parse::<f64>().ok()) == Some(0.0) {
+        if get("display") == Some("none") || get("opacity").and_then(share) == Some(0.0) {
             return;
         }
         let style = self.style(&said, inherited);
@@ -366,55 +411,77 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
             }
             None => map,
         };
-        for what in LEFT_OUT {
-            if get(what).is_some_and(|value| value != "none") {
-                self.unknown.insert(format!("the attribute `{what}`"));
-            }
-        }
+        self.name_what_is_left_out(name, &said, style.measure);
         match name {
             "svg" if depth.elements > 0 => self.area(node, &said, style, map, depth),
             "svg" | "g" | "a" => self.children(node, &style, map, depth),
             "switch" => {
-                // The first one that asks for nothing that is not here.
-                let is_plain = |node: &Node<'a, 'input>| node.is_element() && !node.has_attribute("requiredExtensions");
-                if let Some(child) = node.children().find(is_plain) {
+                if let Some(child) = first_plain(node) {
                     self.read(child, &style, map, depth.more());
                 }
             }
-            "use" => {
-                let href = node.attributes().find(|attribute| attribute.name() == "href").map(|a| a.value());
-                let id = href.and_then(|href| href.strip_prefix('#'));
-                let target = id.and_then(|id| self.ids.get(id).copied());
-                let Some(target) = target.filter(|_| depth.uses < DEPTH) else {
-                    self.unknown.insert("a `use` of something that is not there".into());
-                    return;
-                };
-                let at = |name, axis| get(name).and_then(|text| length(text, axis, style.whole)).unwrap_or(0.0);
-                let map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, at("x", 0), at("y", 1)));
-                let depth = Depth { uses: depth.uses + 1, ..depth.more() };
-                match target.tag_name().name() {
-                    "symbol" | "svg" => {
-                        // Its size is that of the use, if that has one.
-                        let mut of = self.said(target);
-                        of.extend(
-                            ["width", "height"].iter().filter_map(|&name| Some((name.into(), get(name)?.into()))),
-                        );
-                        let style = self.style(&of, &style);
-                        self.area(target, &of, style, map, depth);
-                    }
-                    _ => self.read(target, &style, map, depth),
-                }
-            }
+            "use" => self.used(node, &said, &style, map, depth),
             // Symbols are drawn where they are used.
             "symbol" | "defs" | "title" | "desc" | "metadata" | "style" | "namedview" | "script" | "linearGradient"
             | "radialGradient" | "clipPath" | "mask" | "filter" | "marker" | "pattern" | "SVGTestCase" => {}
-            _ => match data(name, &said, style.whole) {
+            _ => match data(name, &said, style.measure) {
                 Some(data) if style.is_visible => self.mark(node, &data, map, style),
                 Some(_) => {}
                 None => {
                     self.unknown.insert(format!("the element `{name}`"));
                 }
             },
+        }
+    }
+
+    /// Names attributes that are not followed.
+    fn name_what_is_left_out(&mut self, name: &str, said: &BTreeMap<String, String>, measure: Measure) {
+        let get = |name: &str| said.get(name).map(String::as_str);
+        for what in LEFT_OUT {
+            if get(what).is_some_and(|value| !matches!(value, "none" | "normal")) {
+                self.unknown.insert(format!("the attribute `{what}`"));
+            }
+        }
+        for text in LENGTHS.iter().filter_map(|what| get(what)).filter(|_| MEASURED.contains(&name)) {
+            if text != "auto" && length(text, 2, measure).is_none() {
+                self.unknown.insert(format!("the length `{text}`"));
+            }
+        }
+    }
+
+    /// What a `use` refers to.
+    fn used(
+        &mut self,
+        node: Node<'a, 'input>,
+        said: &BTreeMap<String, String>,
+        style: &Style,
+        map: Transform,
+        depth: Depth,
+    ) {
+        let get = |name: &str| said.get(name).map(String::as_str);
+        let href = node.attributes().find(|attribute| attribute.name() == "href").map(|a| a.value());
+        let id = href.and_then(|href| href.strip_prefix('#'));
+        if href.is_some() && id.is_none() {
+            self.unknown.insert("a `use` of another file".into());
+            return;
+        }
+        let target = id.and_then(|id| self.ids.get(id).copied());
+        let Some(target) = target.filter(|_| depth.uses < DEPTH) else {
+            self.unknown.insert("a `use` of something that is not there".into());
+            return;
+        };
+        let at = |name: &str, axis| get(name).and_then(|text| length(text, axis, style.measure)).unwrap_or(0.0);
+        let map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, at("x", 0), at("y", 1)));
+        let depth = Depth { uses: depth.uses + 1, ..depth.more() };
+        match target.tag_name().name() {
+            "symbol" | "svg" => {
+                // Its size is that of the use, if that has one.
+                let mut of = self.said(target);
+                of.extend(["width", "height"].iter().filter_map(|&name| Some((name.into(), get(name)?.into()))));
+                let style = self.style(&of, style);
+                self.area(target, &of, style, map, depth);
+            }
+            _ => self.read(target, style, map, depth),
         }
     }
 
@@ -437,24 +504,36 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         map: Transform,
         depth: Depth,
     ) {
-        let number = |name, axis| said.get(name).and_then(|text| length(text, axis, style.whole));
+        let number = |name, axis| said.get(name).and_then(|text| length(text, axis, style.measure));
         let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
-        let size = [("width", 0), ("height", 1)].map(|(name, axis)| number(name, axis).unwrap_or(style.whole[axis]));
+        let size =
+            [("width", 0), ("height", 1)].map(|(name, axis)| number(name, axis).unwrap_or(style.measure.whole[axis]));
         if size.iter().any(|&side| side <= 0.0) {
             return;
         }
         let mut map = product(map, Transform::new(1.0, 0.0, 0.0, 1.0, x, y));
-        style.whole = size;
+        let (area, first) = (map, self.marks.len());
+        style.measure.whole = size;
         if let Some(Ok(view)) = said.get("viewBox").map(|text| ViewBox::from_str(text)) {
             let aspect = aspect(said.get("preserveAspectRatio").map(String::as_str));
             map = product(map, fit([view.x, view.y, view.w, view.h], size, aspect));
-            style.whole = [view.w, view.h];
+            style.measure.whole = [view.w, view.h];
         }
         self.children(node, &style, map, depth);
+        let is_open = said.get("overflow").is_some_and(|value| matches!(&value[..], "visible" | "auto"));
+        if !is_open && self.marks[first..].iter().any(|mark| mark.leaves(area, size)) {
+            self.unknown.insert(format!("what lies beyond the area of a `{}`", node.tag_name().name()));
+        }
     }
 
     fn mark(&mut self, node: Node<'a, 'input>, data: &str, map: Transform, style: Style) {
         self.left = self.left.saturating_sub(data.len());
+        for child in node.children().filter(Node::is_element) {
+            let name = child.tag_name().name();
+            if name == "set" || name.starts_with("animate") {
+                self.unknown.insert(format!("the element `{name}`"));
+            }
+        }
         let (right, wrong) = right_part(data);
         if let Some(error) = wrong {
             let line = self.document.text_pos_at(node.range().start).row;
@@ -473,16 +552,28 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
         if let Some(Ok(color)) = get("color").map(Color::from_str) {
             style.color = rgb(color);
         }
+        if get("color").map(Color::from_str).is_some_and(|color| color.is_ok_and(|color| color.alpha < u8::MAX)) {
+            self.unknown.insert("colours that let something through".into());
+        }
+        if let Some(text) = get("font-size") {
+            match font_size(text, style.measure.em) {
+                Some(em) => style.measure.em = em,
+                None => _ = self.unknown.insert(format!("the length `{text}`")),
+            }
+        }
+        if let Some(text) = get("paint-order") {
+            style.is_outline_first = text.trim_start().starts_with("stroke");
+        }
         style.fill = self.paint(get("fill"), style.fill);
         style.stroke = self.paint(get("stroke"), style.stroke);
         for (name, paint) in [("fill-opacity", &mut style.fill), ("stroke-opacity", &mut style.stroke)] {
-            match get(name).and_then(|text| text.parse::<f64>().ok()) {
+            match get(name).and_then(share) {
                 Some(0.0) => *paint = Ink::None,
                 Some(n) if n < 1.0 => _ = self.unknown.insert(format!("the attribute `{name}`")),
                 _ => {}
             }
         }
-        if get("opacity").and_then(|text| text.parse::<f64>().ok()).is_some_and(|n| n < 1.0) {
+        if get("opacity").and_then(share).is_some_and(|n| n < 1.0) {
             self.unknown.insert("the attribute `opacity`".into());
         }
         match get("fill-rule") {
@@ -503,14 +594,23 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
             Some(other) => _ = self.unknown.insert(format!("the join `{other}`")),
             None => {}
         }
-        let number = |name: &str| get(name).and_then(|text| length(text, 2, inherited.whole));
+        let measure = style.measure;
+        for text in ["stroke-width", "stroke-dashoffset"].into_iter().filter_map(get) {
+            if length(text, 2, measure).is_none() {
+                self.unknown.insert(format!("the length `{text}`"));
+            }
+        }
+        let number = |name: &str| get(name).and_then(|text| length(text, 2, measure));
         style.width = number("stroke-width").filter(|n| *n >= 0.0).unwrap_or(style.width);
         style.miter_limit = number("stroke-miterlimit").filter(|n| *n >= 1.0).unwrap_or(style.miter_limit);
         style.phase = number("stroke-dashoffset").unwrap_or(style.phase);
         style.is_fixed = get("vector-effect") == Some("non-scaling-stroke");
         if let Some(text) = get("stroke-dasharray") {
             let lengths: Result<Vec<Length>, _> = LengthListParser::from(text).collect();
-            let lengths = lengths.unwrap_or_default().into_iter().map(|length| units(length, 2, inherited.whole));
+            if lengths.is_err() && text != "none" {
+                self.unknown.insert(format!("the lengths `{text}`"));
+            }
+            let lengths = lengths.unwrap_or_default().into_iter().map(|length| units(length, 2, measure));
             style.dashes = lengths.collect();
             // A length below 0 is an error, and the outline solid.
             if style.dashes.iter().sum::<f64>() <= 0.0 || style.dashes.iter().any(|&length| length < 0.0) {
@@ -569,14 +669,66 @@ impl<'a, 'input: 'a> Reader<'a, 'input> {
     }
 }
 
-/// A length in the units of the file; of a per cent, the share of the width, of the height, or of a mean of both.
-fn length(text: &str, axis: usize, whole: [f64; 2]) -> Option<f64> {
-    let length = Length::from_str(text.trim()).ok()?;
-    Some(units(length, axis, whole))
+impl Mark {
+    /// Whether it is drawn beyond an area of this size, whose corner a map moves from (0, 0). A curve counts with its control points.
+    fn leaves(&self, area: Transform, size: [f64; 2]) -> bool {
+        let determinant = area.a * area.d - area.b * area.c;
+        if !determinant.is_normal() {
+            return false;
+        }
+        let [a, b, c, d] = [area.d, -area.b, -area.c, area.a].map(|n| n / determinant);
+        let back = Transform::new(a, b, c, d, -(a * area.e + c * area.f), -(b * area.e + d * area.f));
+        // In thousandths of the area, and within one of them.
+        let map = product(Transform::new(1e3 / size[0], 0.0, 0.0, 1e3 / size[1], 0.0, 0.0), product(back, self.map));
+        let half = if matches!(self.style.stroke, Ink::None) { 0.0 } else { self.style.width / 2.0 };
+        let [x, y] = [half * map.a.hypot(map.c), half * map.b.hypot(map.d)];
+        let is_out = |at: PointFx| {
+            let beyond = |n: f64, more: f64| n - more < -1.0 || n + more > 1_001.0;
+            beyond(at.x.to_num(), x) || beyond(at.y.to_num(), y)
+        };
+        segments(&self.data, map).iter().any(|segment| match *segment {
+            PathSegment::MoveTo(a) | PathSegment::LineTo(a) => is_out(a),
+            PathSegment::QuadraticTo(a, b) => is_out(a) || is_out(b),
+            PathSegment::CubicTo(a, b, c) => is_out(a) || is_out(b) || is_out(c),
+            PathSegment::Close => false,
+        })
+    }
 }
 
-fn units(length: Length, axis: usize, whole: [f64; 2]) -> f64 {
+/// A number from 0 to 1, or per cents.
+fn share(text: &str) -> Option<f64> {
+    let text = text.trim();
+    match text.strip_suffix('%') {
+        Some(text) => text.parse::<f64>().ok().map(|n| n / 100.0),
+        None => text.parse().ok(),
+    }
+}
+
+/// A size of a font, in one of another size.
+fn font_size(text: &str, em: f64) -> Option<f64> {
+    Some(match text.trim() {
+        "xx-small" => 9.0,
+        "x-small" => 10.0,
+        "small" => 13.0,
+        "medium" => EM,
+        "large" => 18.0,
+        "x-large" => 24.0,
+        "xx-large" => 32.0,
+        "smaller" => em / 1.2,
+        "larger" => em * 1.2,
+        text => length(text, 2, Measure { whole: [em, em], em })?,
+    })
+}
+
+/// A length in the units of the file; of a per cent, the share of the width, of the height, or of a mean of both.
+fn length(text: &str, axis: usize, measure: Measure) -> Option<f64> {
+    let length = Length::from_str(text.trim()).ok()?;
+    Some(units(length, axis, measure))
+}
+
+fn units(length: Length, axis: usize, Measure { whole, em }: Measure) -> f64 {
     let of = match (length.unit, axis) {
+        (LengthUnit::Em | LengthUnit::Ex, _) => em / EM,
         (LengthUnit::Percent, 0 | 1) => whole[axis],
         (LengthUnit::Percent, _) => whole[0].hypot(whole[1]) / 2_f64.sqrt(),
         _ => 1.0,
@@ -585,8 +737,8 @@ fn units(length: Length, axis: usize, whole: [f64; 2]) -> f64 {
 }
 
 /// The path data of a shape; `None` if it is none.
-fn data(name: &str, said: &BTreeMap<String, String>, whole: [f64; 2]) -> Option<String> {
-    let number = |name: &str, axis: usize| said.get(name).and_then(|text| length(text, axis, whole));
+fn data(name: &str, said: &BTreeMap<String, String>, measure: Measure) -> Option<String> {
+    let number = |name: &str, axis: usize| said.get(name).and_then(|text| length(text, axis, measure));
     let [x, y] = [("x", 0), ("y", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
     let [cx, cy] = [("cx", 0), ("cy", 1)].map(|(name, axis)| number(name, axis).unwrap_or(0.0));
     let ellipse = |rx: f64, ry: f64| {
@@ -715,6 +867,18 @@ mod tests {
         let at_rule = "<style>@media print { path { fill: red } }</style>";
         assert_eq!(unknown(at_rule), "rules of style sheets that begin with `@`");
         assert_eq!(unknown("<style>path:{</style>"), "the style sheet `path:{`");
+        assert_eq!(unknown("<use href='other.svg#a'/>"), "a `use` of another file");
+        assert_eq!(unknown("<rect width='calc(1px + 2px)' height='4'/>"), "the length `calc(1px + 2px)`");
+        assert_eq!(unknown("<path d='M0 0h5' stroke-width='2rem'/>"), "the length `2rem`");
+        assert_eq!(unknown("<path d='M0 0h5' stroke-dasharray='2 x'/>"), "the lengths `2 x`");
+        assert_eq!(unknown("<path d='M0 0h5' opacity='50%'/>"), "the attribute `opacity`");
+        assert_eq!(unknown("<g style='mix-blend-mode: multiply'/>"), "the attribute `mix-blend-mode`");
+        assert_eq!(unknown("<circle r='4'><animate attributeName='r'/></circle>"), "the element `animate`");
+        assert_eq!(unknown("<g color='#0008'/>"), "colours that let something through");
+        let area = |inside: &str| unknown(&format!("<svg x='2' width='9' height='9' viewBox='0 0 2 2'>{inside}</svg>"));
+        assert_eq!(area("<path d='M0 0h2v2h-2z'/><circle cx='1' cy='1' r='1'/>"), "");
+        assert_eq!(area("<path d='M0 0h2v3h-2z'/>"), "what lies beyond the area of a `svg`");
+        assert_eq!(area("<path d='M0 0h2v2h-2z' stroke='red'/>"), "what lies beyond the area of a `svg`");
         assert!(File::parse("<html/>").is_err_and(|error| error == "`html` is no SVG"));
         assert!(File::parse("<svg").is_err_and(|error| !error.contains('\n')));
         let dark =
@@ -754,7 +918,7 @@ mod tests {
             "<svg x='5' y='5' width='15' height='10' viewBox='0 0 2 2' preserveAspectRatio='xMinYMin'><path d='M0 0h1v1h-1z'/></svg>",
             "<svg x='-5' y='5' width='20' height='10' viewBox='0 0 2 2' preserveAspectRatio='xMaxYMax'><path d='M0 0h1v1h-1z'/></svg>",
             "<svg x='5' y='5' width='10' height='5' viewBox='0 0 2 1' preserveAspectRatio='none'><path d='M0 0h1v1h-1z'/></svg>",
-            "<svg x='5' y='5' width='5' height='2' viewBox='0 0 5 5' preserveAspectRatio='xMinYMin slice'><rect width='5' height='5'/></svg>",
+            "<svg x='5' y='5' width='5' height='2' viewBox='0 0 5 5' preserveAspectRatio='xMinYMin slice' overflow='visible'><rect width='5' height='5'/></svg>",
         ] {
             same(inner, SQUARE);
         }
@@ -773,6 +937,11 @@ mod tests {
             |dashes: &str| format!("<path d='M0 10h20' stroke='red' stroke-width='2' stroke-dasharray='{dashes}'/>");
         same(&dashed("10%"), &dashed("2"));
         same(&dashed("4 -2"), &dashed("none"));
+        same("<g font-size='4'><rect width='2em' height='1ex'/></g>", "<rect width='8' height='2'/>");
+        same(
+            "<g font-size='200%'><rect width='.5em' height='1em' font-size='.25em'/></g>",
+            "<rect width='4' height='8'/>",
+        );
         same("<ellipse cx='9' cy='9' rx='7'/>", "<circle cx='9' cy='9' r='7'/>");
         same(
             "<path d='M2 4h4' transform='scale(2.5)' stroke='red' vector-effect='non-scaling-stroke' stroke-width='4'/>",
@@ -801,6 +970,10 @@ mod tests {
         same("<g fill='currentColor' color='none'><path color='red' d='M5 5h5v5h-5z'/></g>", SQUARE);
         let marked = "<path xmlns:x='urn:x' x:d='M0 0h9v9' x:fill='none' x:transform='scale(3)' d='M5 5h5v5h-5z'/>";
         same(marked, SQUARE);
+        same(
+            "<switch><circle r='9' systemLanguage='de, fr'/><path d='M5 5h5v5h-5z' systemLanguage='de, en-GB'/></switch>",
+            SQUARE,
+        );
         same(
             "<switch><g requiredExtensions='x'><circle r='9'/></g><path d='M5 5h5v5h-5z'/><circle r='9'/></switch>",
             SQUARE,
