@@ -114,6 +114,7 @@ calls! {
     line => covered(|_, _, look| { coverage::line(p, q, window, look); true });
     [oval]
     ellipse => covered(|_, _, look| { coverage::ellipse(ellipse, window, look); true });
+    ring => covered(|_, _, look| { coverage::ring(ellipse, a.ellipses[1], window, look); true });
     [shapes]
     path => covered(|table, cells, look| coverage::path(path, rule, table, cells, window, look).is_ok());
     path_true => covered(|table, cells, look| coverage::path_true(path, rule, table, cells, window, look).is_ok());
@@ -131,7 +132,6 @@ calls! {
     rectangle => covered(|_, _, look| { coverage::rectangle(p, q, window, look); true });
     [round]
     sector => part_covered(|table, cells, look| coverage::sector(ellipse, a.sector, table, cells, window, look).is_ok());
-    ring => part_covered(|_, _, look| { coverage::ring(ellipse, a.ellipses[1], window, look); true });
     ring_sector => part_covered(|table, cells, look| {
         coverage::ring_sector(ellipse, a.ellipses[1], a.sector, (table, cells), window, look).is_ok()
     });
