@@ -87,13 +87,10 @@ impl Oval {
 
     /// Parts of a turn that are one curve each, and `4/3 tan(turn / (4 parts))` in units of `2^-30`.
     fn parts(self) -> (u16, i64) {
-        // Up to 2^9, 2^14 and 2^20 pixels.
-        match self.radii.0.max(self.radii.1) {
-            ..=0x4_0000 => (8, 284_774_038),
-            ..=0x80_0000 => (16, 141_005_785),
-            ..=0x2000_0000 => (32, 70_332_738),
-            _ => (64, 35_145_176),
-        }
+        const CURVES: [(u32, u16, i64); 3] = [(9, 8, 284_774_038), (14, 16, 141_005_785), (20, 32, 70_332_738)];
+        let radius = self.radii.0.max(self.radii.1);
+        let enough = CURVES.iter().find(|(pixel_bits, ..)| radius <= 512 << pixel_bits);
+        enough.map_or((64, 35_145_176), |&(_, parts, handle)| (parts, handle))
     }
 }
 
@@ -101,7 +98,7 @@ impl Oval {
 type Direction = (i32, i32);
 
 /// An arc, clockwise from one place to another: its curves, from the first one on or from the last one back.
-#[derive(Copy, Clone)]
+#[derive(Clone)]
 struct Arc {
     oval: Oval,
     from: Direction,
@@ -228,7 +225,7 @@ pub(crate) fn sector(ellipse: &Ellipse, sector: Sector) -> impl Segments {
         let [from, to] = [from, to].map(|direction| oval.on_circle(direction));
         Arc::new(oval, from, to, extent == Extent::Wide)
     });
-    let start = arc.map(|arc| [PathSegment::MoveTo(arc.oval.place((0, 0))), PathSegment::LineTo(arc.begin())]);
+    let start = arc.as_ref().map(|arc| [PathSegment::MoveTo(arc.oval.place((0, 0))), PathSegment::LineTo(arc.begin())]);
     let close = start.map(|_| PathSegment::Close);
     start.into_iter().flatten().chain(arc.into_iter().flatten()).chain(close)
 }
@@ -242,11 +239,12 @@ pub(crate) fn ring_sector(outer: &Ellipse, inner: &Ellipse, sector: Sector) -> i
     let large = Oval::of(outer).filter(|_| extent != Extent::Nothing);
     let small = Oval::of(inner).zip(large).filter(|(small, large)| small.meets(*large)).map(|(small, _)| of(small));
     let there = large.map(of);
-    let start = there.map(|arc| PathSegment::MoveTo(arc.begin()));
-    let turn = there.map(|arc| PathSegment::LineTo(small.map_or_else(|| arc.oval.place((0, 0)), |small| small.end())));
+    let start = there.as_ref().map(|arc| PathSegment::MoveTo(arc.begin()));
+    // To the end of the inner arc, or to the centre.
+    let turn = there.as_ref().map(|arc| small.as_ref().map_or_else(|| arc.oval.place((0, 0)), Arc::end));
     let there = start.into_iter().chain(there.into_iter().flatten());
     let close = start.map(|_| PathSegment::Close);
-    there.chain(turn).chain(small.map(Arc::back).into_iter().flatten()).chain(close)
+    there.chain(turn.map(PathSegment::LineTo)).chain(small.map(Arc::back).into_iter().flatten()).chain(close)
 }
 
 /// The product of two directions in `2^-30`: the cosine of the angle between them.
