@@ -3,6 +3,7 @@
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
     reason = "areas under curves are computed in floating point"
 )]
 
@@ -167,7 +168,7 @@ fn ellipses_in_endless_boxes_have_a_middle_and_corners() {
             let window = Rect::new(x, y, x + 1, y + 1);
             told(window, |_, _, levels| coverage::ellipse(Ellipse::in_box(area), window, levels)).levels[0]
         };
-        let middle = |a: i32, b: i32| ((i64::from(a) + i64::from(b)) / 2) as i32;
+        let middle = |a: i32, b: i32| i64::midpoint(a.into(), b.into()) as i32;
         let (x, y) = (middle(area.x0, area.x1), middle(area.y0, area.y1));
         // The ends of a thin one are not full.
         let inset = if area.width().min(area.height()) < 99 { 1 << 29 } else { 3 };
