@@ -196,11 +196,11 @@ fn somewhere_on(rng: &mut Rng, centre: (f64, f64), radii: (f64, f64), kind: usiz
     (Rect::new(x - right, y - down, x - right + 16, y - down + 16), angle)
 }
 
-/// Rings of any width, sectors and sectors of rings around their arcs. A disc and a ring around it add up.
+/// Rings of any width, sectors and sectors of rings around their arcs, rounded boxes. A disc and a ring around it add up.
 #[test]
 fn arcs_of_all_radii_are_near_their_curves() {
-    let (mut rng, mut worst) = (Rng::new(1_512), [[0.0_f64; 32]; 4]);
-    let names = ["disc", "ring", "sector", "sector of a ring"];
+    let (mut rng, mut worst) = (Rng::new(1_512), [[0.0_f64; 32]; 5]);
+    let names = ["disc", "ring", "sector", "sector of a ring", "rounded box"];
     for i in 0..cases(1_500) {
         let bits = rng.int(11, 30);
         let large = rng.int(1 << (bits - 1), (1 << bits) - 1);
@@ -235,6 +235,20 @@ fn arcs_of_all_radii_are_near_their_curves() {
         let part = told(window, |table, cells, levels| {
             coverage::ring_sector(outer, inside, sector, (table, cells), window, levels).expect("enough slots");
         });
+        // A box that is all corners.
+        let pixels = (radii.0.max(radii.1) >> 8).max(1);
+        let round_box = Rect::new(-pixels, -pixels, pixels, pixels);
+        let reach = f64::from(pixels);
+        let (around, _) = somewhere_on(&mut rng, (0.0, 0.0), (reach, reach), i / 4);
+        let rounded = told(around, |table, cells, levels| {
+            let radius = Radii::all(pixels as u32);
+            coverage::rounded(round_box, radius, table, cells, around, levels).expect("enough slots");
+        });
+        for (x, y) in (around.y0..around.y1).flat_map(|y| (around.x0..around.x1).map(move |x| (x, y))) {
+            let wanted = covered_by_large_ellipse((0.0, 0.0), (reach, reach), (x, y)) * 255.0;
+            let worst = &mut worst[4][bits as usize];
+            *worst = worst.max((f64::from(rounded.at(x, y)) - wanted).abs());
+        }
         for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
             let covered = |radii: (i32, i32)| covered_by_large_ellipse(units(centre), units(radii), (x, y)) * 255.0;
             let (all, hole) = (covered(radii), covered(inner));
