@@ -88,6 +88,12 @@ impl ClippedSpan {
         Span { y: self.y, x0: self.x0, x1: self.x1 }.clip(window)
     }
 
+    /// Whether it lies in a window as a whole.
+    #[inline(always)]
+    pub(crate) const fn lies_in(self, Rect { x0, x1, y0, y1 }: Rect) -> bool {
+        y0 <= self.y && self.y < y1 && x0 <= self.x0 && self.x1 <= x1
+    }
+
     /// All but so many pixels at its left end; `None` if there are no others.
     #[inline(always)]
     pub(crate) fn without(self, pixels: usize) -> Option<Self> {

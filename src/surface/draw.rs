@@ -259,7 +259,7 @@ impl<M: AsRef<[u8]> + AsMut<[u8]>, L: Layout> Readable for Frame<M, L> {
     #[inline(always)]
     fn mix_row(&mut self, row: SoftRow<'_>, color: L::Color, mut mix: impl FnMut(L::Color, u8) -> L::Color) {
         let span = row.span();
-        if self.again(span) != Some(span) {
+        if !span.lies_in(self.window()) {
             return row.each(|span, levels| match levels {
                 Some(levels) => self.mix_span(span, levels, &mut mix),
                 None => self.fill_span(span, color),

@@ -20,6 +20,7 @@ use super::{
 use crate::{
     num::cast::{index, low_u32, low_u8, signed, unsigned},
     span::{ClippedSpan, Rect, Sink, SoftRow},
+    tune::keep_rolled,
 };
 
 const PIXEL: u32 = 1 << GRID_BITS;
@@ -147,12 +148,13 @@ impl Rim {
 
     /// The levels of the second pixel and those that follow, and the last one of them once more. The side has so much of its height
     /// in the first one, as that division says.
-    #[inline(never)]
+    #[inline(always)]
     fn more_levels(&self, width: NonZeroU32, (mut done, n): (u32, u32), inset: u32, levels: &mut [u8]) -> u8 {
         let Some((end, between)) = levels.split_last_mut() else { return 0 };
         let mut rest = n.wrapping_sub(done.wrapping_mul(width.get()));
         let (each, more) = ((1 << 30) / width, (1 << 30) % width);
         for place in between {
+            keep_rolled(true);
             #[cfg(test)]
             crate::num::tally::add(crate::num::tally::Work::Step);
             let before = done;
