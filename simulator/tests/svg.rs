@@ -10,8 +10,8 @@ use resvg::{tiny_skia, usvg};
 const SIZE: u16 = 48;
 /// The other renderer's picture has so many pixels for one.
 const FINE: usize = 16;
-/// 0.14 pixel, and half of one of its pixels.
-const REACH: f64 = 0.14 * 16.0 + 0.5;
+/// The square of twice 0.14 pixel, and half of one of its pixels.
+const REACH: usize = 30;
 
 /// All icons in the folder: name and text.
 fn icons() -> Vec<(String, String)> {
@@ -62,7 +62,7 @@ fn theirs(text: &str) -> Vec<bool> {
 
 #[test]
 fn icons_are_those_of_another_renderer() {
-    let (mut dark, mut count, mut bad) = (0, 0, String::new());
+    let (mut dark, mut count, mut bad) = (0, 0, vec![]);
     for (name, text) in icons() {
         let ((got, unknown), fine) = (ours(&text), theirs(&text));
         assert_eq!(unknown, [""; 0], "{name}: what was left out");
@@ -71,19 +71,19 @@ fn icons_are_those_of_another_renderer() {
         for (i, &is_drawn) in got.iter().enumerate() {
             let (x, y) = (i % side * FINE, i / side * FINE);
             let all = (0..FINE * FINE).map(|j| (j % FINE, j / FINE));
-            let share = all.clone().filter(|&(p, q)| is_dark(x + p, y + q)).count() as f64 / 256.0;
-            // Whether it is as ours somewhere near the middle.
-            let middle = FINE as f64 / 2.0;
-            let far = |(p, q): (usize, usize)| (p as f64 + 0.5 - middle).hypot(q as f64 + 0.5 - middle);
-            let is_near = all.filter(|&at| far(at) <= REACH).any(|(p, q)| is_dark(x + p, y + q) == is_drawn);
+            let share = all.clone().filter(|&(p, q)| is_dark(x + p, y + q)).count();
+            // Whether it is as ours somewhere near the middle: distances are doubled, as the middle is between two pixels.
+            let square = |n: usize| (2 * n + 1).abs_diff(FINE).pow(2);
+            let is_near =
+                all.filter(|&(p, q)| square(p) + square(q) <= REACH).any(|(p, q)| is_dark(x + p, y + q) == is_drawn);
             if !is_near {
-                bad += &format!("{name}: ({}, {}) is {is_drawn}, and {share} of it is dark\n", i % side, i / side);
+                bad.push(format!("{name}: ({}, {}) is {is_drawn}, and {share}/256 of it is dark", i % side, i / side));
             }
-            count += usize::from(is_drawn != (share >= 0.5));
+            count += usize::from(is_drawn != (share >= 128));
             dark += usize::from(is_drawn);
         }
     }
-    assert!(bad.is_empty(), "{bad}");
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
     // Pixels of which the middle and the larger part differ are few.
     assert!(dark > 10_000 && count * 60 < dark, "{count} of {dark}");
 }

@@ -335,6 +335,38 @@ fn sharp_curves_are_within_a_seventh() {
     assert!(inside > 0, "nothing is inside");
 }
 
+/// Dashes of narrow strokes. Those of a wide one that end where its curve turns within a pixel may be off by more: there a hair along the
+/// curve is a pixel at the border.
+#[test]
+fn dashes_are_within_a_seventh() {
+    let mut rng = Rng::new(565);
+    let window = Rect::new(0, 0, 48, 40);
+    let (mut inside, all) = (0, cases(1_000));
+    for _ in 0..all {
+        let path = path(&mut rng);
+        let pen = Pen {
+            width: rng.pick(&[256, 300, 321, 400]),
+            cap: rng.pick(&[Cap::Butt, Cap::Square, Cap::Round]),
+            join: rng.pick(&[Join::Bevel, Join::Round]),
+            limit: 1_024,
+        };
+        let lengths: Vec<i32> = (0..2 * rng.int(1, 2)).map(|_| rng.int(40, 2_000)).collect();
+        let phase = rng.int(-5_000, 5_000);
+        let floats: Vec<f64> = lengths.iter().map(|&n| f64::from(n)).collect();
+        let fixed: Vec<I24F8> = lengths.iter().map(|&n| I24F8::from_bits(n)).collect();
+        let model = Model::dashed(&path, pen, &floats, f64::from(phase));
+        let runs = drawn(&segments(&path), &of_pen(pen).dashed(&fixed, I24F8::from_bits(phase)), window);
+        inside += count(&runs);
+        let wrong = wrong(&model, &runs, window);
+        assert!(
+            wrong.is_empty(),
+            "{wrong:?} {pen:?} {lengths:?} from {phase} on, {path:?}\n{}",
+            picture(window, &runs)
+        );
+    }
+    assert!(inside > 0, "nothing is inside");
+}
+
 /// A round dot has the pixels of the circle, ties and all.
 #[test]
 fn round_dots_are_circles() {

@@ -108,9 +108,66 @@ fn halve(points: &[Place], end: Sample, (half, depth): (f64, u32), all: &mut Vec
     all.push(end);
 }
 
+/// The dashes of a contour, and whether one is all of a ring.
+fn dashes(runs: &[Vec<Sample>], closed: bool, lengths: &[f64], phase: f64) -> Vec<(Vec<Vec<Sample>>, bool)> {
+    let (mut index, mut left) = (0, lengths[0] - phase.rem_euclid(lengths.iter().sum()));
+    while left <= 0.0 {
+        index = (index + 1) % lengths.len();
+        left += lengths[index];
+    }
+    let starts_on = index % 2 == 0;
+    let (mut all, mut dash): (Vec<Vec<Vec<Sample>>>, Vec<Vec<Sample>>) = (vec![], vec![]);
+    for run in runs {
+        if index % 2 == 0 {
+            dash.push(vec![run[0]]);
+        }
+        for pair in run.windows(2) {
+            let chord = sub(pair[1].at, pair[0].at);
+            // As long as the curve.
+            let length = chord.0.hypot(chord.1) * (1.0 + angle(pair[0].way, pair[1].way).powi(2).min(1.0) / 24.0);
+            let mut done = 0.0;
+            while length - done >= left {
+                done += left;
+                let mix = |a: f64, b: f64| a + (b - a) * done / length.max(1e-12);
+                let mixed = |a: Place, b: Place| (mix(a.0, b.0), mix(a.1, b.1));
+                let way = unit(mixed(pair[0].way, pair[1].way)).unwrap_or(pair[0].way);
+                let cut = Sample { time: mix(pair[0].time, pair[1].time), at: mixed(pair[0].at, pair[1].at), way };
+                if index % 2 == 0 {
+                    dash.last_mut().expect("a run").push(cut);
+                    all.push(std::mem::take(&mut dash));
+                } else {
+                    dash = vec![vec![cut]];
+                }
+                index = (index + 1) % lengths.len();
+                left = lengths[index];
+            }
+            left -= length - done;
+            if index % 2 == 0 {
+                dash.last_mut().expect("a run").push(pair[1]);
+            }
+        }
+    }
+    let goes_on = closed && starts_on && !dash.is_empty();
+    if goes_on && all.is_empty() {
+        return vec![(dash, true)];
+    }
+    if goes_on {
+        dash.append(&mut all[0]);
+        all[0] = dash;
+    } else if !dash.is_empty() {
+        all.push(dash);
+    }
+    all.into_iter().map(|dash| (dash, false)).collect()
+}
+
 impl Model {
     /// The stroke of a path by a pen. All lengths are in units.
     pub fn new(pieces: &[Piece], pen: Pen) -> Self {
+        Self::dashed(pieces, pen, &[], 0.0)
+    }
+
+    /// The same with gaps: lengths on and off, all above 0, and how far into them each contour starts; none for a solid one.
+    pub fn dashed(pieces: &[Piece], pen: Pen, lengths: &[f64], phase: f64) -> Self {
         let half = f64::from(pen.width) / 2.0;
         let mut model = Self { pen, half, runs: vec![], corners: vec![], ends: vec![], dots: vec![] };
         let float = |p: (i32, i32)| (f64::from(p.0), f64::from(p.1));
@@ -119,14 +176,14 @@ impl Model {
             let at = contour.as_ref().map_or(start, |(at, _)| *at);
             let points = match *piece {
                 Piece::Move(a) => {
-                    model.add(contour.take(), start, false);
+                    model.add(contour.take(), start, false, (lengths, phase));
                     start = float(a);
                     continue;
                 }
                 Piece::Close => {
                     let (_, mut runs) = contour.take().unwrap_or((at, vec![]));
                     runs.push(samples(&[at, start], half));
-                    model.add(Some((start, runs)), start, true);
+                    model.add(Some((start, runs)), start, true, (lengths, phase));
                     continue;
                 }
                 Piece::Line(a) => vec![at, float(a)],
@@ -140,13 +197,29 @@ impl Model {
         model
     }
 
-    fn add(&mut self, contour: Option<(Place, Vec<Vec<Sample>>)>, start: Place, closed: bool) {
+    fn add(
+        &mut self,
+        contour: Option<(Place, Vec<Vec<Sample>>)>,
+        start: Place,
+        closed: bool,
+        (lengths, phase): (&[f64], f64),
+    ) {
         let Some((_, mut runs)) = contour else { return };
         runs.retain(|run| !run.is_empty());
-        let (Some(first), Some(last)) = (runs.first().map(|r| r[0]), runs.last().map(|r| r[r.len() - 1])) else {
+        if runs.is_empty() {
             self.dots.push(start);
-            return;
-        };
+        } else if lengths.is_empty() {
+            self.line(runs, closed);
+        } else {
+            for (dash, closed) in dashes(&runs, closed, lengths, phase) {
+                self.line(dash, closed);
+            }
+        }
+    }
+
+    /// A contour, or a dash of it.
+    fn line(&mut self, runs: Vec<Vec<Sample>>, closed: bool) {
+        let (first, last) = (runs[0][0], runs[runs.len() - 1][runs[runs.len() - 1].len() - 1]);
         for pair in runs.windows(2) {
             self.corners.push((pair[1][0].at, pair[0][pair[0].len() - 1].way, pair[1][0].way));
         }
