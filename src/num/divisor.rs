@@ -217,7 +217,8 @@ fn reciprocal(d: u32) -> u64 {
         // The bit is set, which the compiler does not know: it would look for a division by 0.
         let (n, d) = (u64::MAX >> 1, u64::from(d | 1 << 31));
         let (high, rest) = (n / d, n % d);
-        return high << 32 | (rest << 32 | 0xffff_ffff) / d;
+        let low = (rest << 32 | 0xffff_ffff) / d;
+        return high << 32 | low;
     }
     let (wide, inverse) = (u64::from(d), recip::reciprocal(d));
     let high = 1 << 31 | inverse >> 1;
