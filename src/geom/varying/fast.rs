@@ -16,6 +16,8 @@ use crate::{
 
 /// A varying in its fast mode: in 32 bits along each row. The values of some pixels are not the nearest ones: see the
 /// [module](super).
+///
+/// It is there for chips. A computer takes no less time for it: exact colours are even faster where the compiler makes vectors of them.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Fast<V>(pub V);
 
