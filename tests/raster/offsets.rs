@@ -198,7 +198,7 @@ fn every_pixel_is_within_a_seventh() {
         }
         cases_left -= 1;
         let runs = drawn(&segments(&path), &of_pen(pen), window);
-        inside += count(&runs) as usize;
+        inside += runs.iter().map(|run| run.1.abs_diff(run.2) as usize).sum::<usize>();
         for ((x, y), is_drawn) in wrong(&model, &runs, window) {
             let what = || format!("({x}, {y}) is {is_drawn}: {pen:?} {path:?}\n{}", picture(window, &runs));
             assert!(!is_drawn, "{}", what());
@@ -210,6 +210,7 @@ fn every_pixel_is_within_a_seventh() {
 }
 
 /// One curve that turns sharply somewhere: hairpins, control points beside an end, cusps and what is nearly one, S, tiny curves.
+#[expect(clippy::cast_possible_truncation, reason = "a place within some pixels")]
 fn sharp_curve(rng: &mut Rng) -> Vec<Piece> {
     let (x, y) = (6_000, 5_000);
     let reach = rng.pick(&[20, 100, 600, 2_000, 5_000]);
@@ -253,8 +254,9 @@ fn sharp_curve(rng: &mut Rng) -> Vec<Piece> {
     vec![Piece::Move(a), piece]
 }
 
-/// A place on the border of the stroke.
-fn place_on_border(rng: &mut Rng, path: &[Piece], width: i32) -> (f64, f64) {
+/// A pixel on the border of the stroke.
+#[expect(clippy::cast_possible_truncation, reason = "a place within some hundred pixels")]
+fn place_on_border(rng: &mut Rng, path: &[Piece], width: i32) -> (i32, i32) {
     let points: Vec<(f64, f64)> = match path {
         [Piece::Move(a), Piece::Quadratic(c, b)] => vec![*a, *c, *b],
         [Piece::Move(a), Piece::Cubic(c, d, b)] => vec![*a, *c, *d, *b],
@@ -269,11 +271,8 @@ fn place_on_border(rng: &mut Rng, path: &[Piece], width: i32) -> (f64, f64) {
     let way = bezier(points.windows(2).map(|p| (p[1].0 - p[0].0, p[1].1 - p[0].1)).collect(), t);
     let length = way.0.hypot(way.1);
     let half = f64::from(width) / 2.0 * if rng.one_in(2) { -1.0 } else { 1.0 };
-    if length > 0.0 {
-        (at.0 - way.1 / length * half, at.1 + way.0 / length * half)
-    } else {
-        at
-    }
+    let at = if length > 0.0 { (at.0 - way.1 / length * half, at.1 + way.0 / length * half) } else { at };
+    ((at.0 / 256.0) as i32, (at.1 / 256.0) as i32)
 }
 
 /// Curves that turn within a pixel, as far as a cusp: what the pen sweeps over is where the model has it. Each was wrong once, by as much as
@@ -322,7 +321,6 @@ fn sharp_curves_are_within_a_seventh() {
         let width = rng.pick(&[256, 300, 321, 400, 512, 768, 1_100, 2_000, 4_000, 9_000, 25_600, 51_200]);
         let pen = Pen { width, cap: rng.pick(&[Cap::Butt, Cap::Square, Cap::Round]), join: Join::Miter, limit: 1_024 };
         let (x, y) = place_on_border(&mut rng, &path, width);
-        let (x, y) = ((x / 256.0) as i32, (y / 256.0) as i32);
         let window = Rect::new(x - 16, y - 12, x + 16, y + 12);
         let runs = drawn(&segments(&path), &of_pen(pen), window);
         inside += count(&runs);

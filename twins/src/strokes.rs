@@ -357,9 +357,10 @@ fn turn(part: &Part, (a, b): (Units, Units), smooth: bool, width: i32) -> Vec<Si
             all.push(Side { a, b, ways: [u; 2], smooth, part: Some(part.clone()) });
         }
         while time < until {
-            let mut length = until - time;
-            while time % length != 0 {
-                length /= 2;
+            // The longest that halving makes here.
+            let mut length = 1;
+            while length < until - time && time % (2 * length) == 0 {
+                length *= 2;
             }
             while length > 64 && !is_even(u, time, length, way(time + length, true)) {
                 length /= 2;
