@@ -365,6 +365,35 @@ fn dashes_are_within_a_seventh() {
     assert!(inside > 0, "nothing is inside");
 }
 
+/// At the end of paths of 60,000 pixels, to and fro, in lines or curves: dashes are where the length of all that comes before puts them.
+#[test]
+fn dashes_do_not_drift() {
+    let mut rng = Rng::new(566);
+    let pen = Pen { width: 1_024, cap: Cap::Butt, join: Join::Round, limit: 1_024 };
+    for (size, is_curved) in [(1, false), (4, false), (4, true), (16, true), (100, true)] {
+        let step = size * 256;
+        let (mut path, mut at, mut base, mut way) = (vec![Piece::Move((0, 0))], (0, 0), 0, 1);
+        for _ in 0..60_000 / size {
+            if at.0 * way > 250_000 {
+                (way, base) = (-way, base + 5 * step + 6_000);
+            }
+            let to = (at.0 + way * step, base + rng.int(-step / 2, step / 2));
+            let above = base + 2 * step;
+            path.push(if is_curved { Piece::Cubic((at.0, above), (to.0, above), to) } else { Piece::Line(to) });
+            at = to;
+        }
+        let mut model = Model::dashed(&path, pen, &[1_500.0, 1_400.0], 0.0);
+        model.keep_near((f64::from(at.0), f64::from(at.1)), 14_000.0);
+        let (x, y) = (at.0 / 256, at.1 / 256);
+        let window = Rect::new(x - 14, y - 14, x + 14, y + 14);
+        let lengths = [1_500, 1_400].map(I24F8::from_bits);
+        let runs = drawn(&segments(&path), &of_pen(pen).dashed(&lengths, I24F8::ZERO), window);
+        let wrong = wrong(&model, &runs, window);
+        assert!(wrong.is_empty(), "{size} {is_curved}: {wrong:?}\n{}", picture(window, &runs));
+        assert!(count(&runs) > 20, "{size} {is_curved}: {}", picture(window, &runs));
+    }
+}
+
 /// A round dot has the pixels of the circle, ties and all.
 #[test]
 fn round_dots_are_circles() {

@@ -94,16 +94,25 @@ impl Part {
         self.way(to, true)
     }
 
-    /// How much longer than its chord, of so many units, it is, in 2^-16 pixel.
-    pub fn excess(&self, length: i128) -> i128 {
-        if length == 0 || length >= 1 << 32 {
-            return 0;
-        }
-        let [u, v] = bends(&self.points, self.from, self.to);
-        let (a, b) = (point(&self.points, self.from), point(&self.points, self.to));
-        let c = (i128::from(b.0) - i128::from(a.0), i128::from(b.1) - i128::from(a.1));
-        let bend = (((u.0 + v.0) * c.1 - (u.1 + v.1) * c.0).abs() * 8 / length).min(0xffff);
-        bend * bend / (6 * length).min(u32::MAX.into())
+    /// How long it is, in 2^-20 pixel: by its speed at the three times of Gauss's rule.
+    pub fn length(&self) -> i128 {
+        let h = self.to - self.from;
+        // The root of 3/5, in units of 2^-32.
+        let off = (h * 3_326_808_142) >> 32;
+        let [a, b, c] = [h - off, h, h + off].map(|twice| {
+            let slope = self.slope(self.from + twice / 2);
+            let longer = slope.0.abs().max(slope.1.abs());
+            if longer == 0 {
+                return 0;
+            }
+            // To 31 bits, and how many leading zeros of 64 there were.
+            let zeros = longer.ilog2();
+            let scaled = |n: i128| if zeros > 30 { n.abs() >> (zeros - 30) } else { n.abs() << (30 - zeros) };
+            let length = (scaled(slope.0).pow(2) + scaled(slope.1).pow(2)).isqrt();
+            (length * h) >> (63 - zeros - 1)
+        });
+        // 2^32 / 18.
+        ((5 * (a + c) + 8 * b) * 238_609_294) >> 32
     }
 
     /// One coordinate as `((a t + b) t + c) t + d`, without d.

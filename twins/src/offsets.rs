@@ -231,6 +231,15 @@ impl Model {
         self.runs.extend(runs);
     }
 
+    /// Without what is farther than this from a place.
+    pub fn keep_near(&mut self, at: Place, far: f64) {
+        let near = |p: Place| (p.0 - at.0).hypot(p.1 - at.1) < far;
+        self.runs.retain(|run| run.iter().any(|sample| near(sample.at)));
+        self.corners.retain(|corner| near(corner.0));
+        self.ends.retain(|end| near(end.at));
+        self.dots.retain(|&dot| near(dot));
+    }
+
     /// Whether a place lies in the stroke.
     pub fn contains(&self, p: Place) -> bool {
         self.runs.iter().any(|run| self.is_beside(run, p))

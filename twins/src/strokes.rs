@@ -57,16 +57,16 @@ fn direction_of(vector: (i128, i128)) -> Unit {
     (share(x), share(y))
 }
 
-/// The length of a side in 2^-16 pixel.
+/// The length of a side in 2^-20 pixel.
 pub fn length(a: Units, b: Units) -> i128 {
     let d = between(a, b);
     let (x, y, length) = scaled(d);
     // By how much it was scaled: exact, but where a bit was lost.
     let (scaled, plain) = if x.abs() >= y.abs() { (x.abs(), d.0.abs()) } else { (y.abs(), d.1.abs()) };
     if plain > scaled {
-        2 * (length << 8)
+        2 * (length << 12)
     } else {
-        (length << 8) / (scaled / plain)
+        (length << 12) / (scaled / plain)
     }
 }
 
@@ -386,17 +386,17 @@ pub struct Pattern {
 impl Pen {
     /// The pieces of dashed contours, dash by dash.
     pub fn dashes(&self, outlines: &[Outline], pattern: &Pattern) -> Vec<Vec<Units>> {
-        let mut lengths: Vec<i128> = pattern.lengths.iter().map(|&n| i128::from(n.max(0)) << 8).collect();
+        let mut lengths: Vec<i128> = pattern.lengths.iter().map(|&n| i128::from(n.max(0)) << 12).collect();
         if lengths.len() % 2 == 1 {
             lengths.extend(lengths.clone());
         }
         let period: i128 = lengths.iter().sum();
-        if period < (1 << 12).max(i128::from(self.width) << 2) {
+        if period < (1 << 16).max(i128::from(self.width) << 6) {
             return self.parts(outlines);
         }
         outlines
             .iter()
-            .flat_map(|o| self.dashed(o, &lengths, (i128::from(pattern.phase) << 8).rem_euclid(period)))
+            .flat_map(|o| self.dashed(o, &lengths, (i128::from(pattern.phase) << 12).rem_euclid(period)))
             .collect()
     }
 
@@ -429,15 +429,15 @@ impl Pen {
                 continue;
             }
             let straight = length(side.a, side.b);
-            let length = straight + side.part.as_ref().map_or(0, |part| part.excess(straight >> 8));
+            let length = side.part.as_ref().map_or(straight, Part::length);
             let u = if side.part.is_none() { side.ways[0] } else { direction(side.a, side.b) };
             let place = |s: i128| {
                 let along = |from: i32, u: i128| {
                     let n = u.abs() * s;
-                    let distance = (2 * n + (1 << 38)) >> 39;
+                    let distance = (2 * n + (1 << 42)) >> 43;
                     (i128::from(from) + u.signum() * distance).clamp(i32::MIN.into(), i32::MAX.into()) as i32
                 };
-                if s >= straight {
+                if s >= straight.min(length) {
                     side.b
                 } else {
                     (along(side.a.0, u.0), along(side.a.1, u.1))

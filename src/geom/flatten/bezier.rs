@@ -11,7 +11,11 @@ use crate::{
         point::{bits, PointFx},
         view::View,
     },
-    num::round::{difference, div_rem_wide},
+    num::{
+        cast::{low_u32, magnitude, signed_wide},
+        round::difference,
+        wide::{product, times},
+    },
     tune::COMPACT,
 };
 
@@ -213,23 +217,28 @@ impl Bezier {
         self.way(to, true)
     }
 
-    /// How much longer than its chord the piece that came last is, in units of 2^-16 pixel, if it is a part as a whole. The length of
-    /// the chord is given in units.
-    ///
-    /// A curve that turns evenly by a small angle T is longer by the T^2 / 24th part, and T is `2 |W x c| / |c|^2`.
+    /// Whether the piece that came last ends at a place.
+    pub(crate) fn is_at(&self, place: PointFx) -> bool {
+        self.last == place
+    }
+
+    /// How long the piece that came last is, in units of 2^-20 pixel: by its speed at the three times of Gauss's rule. `speed` is the
+    /// length of a slope, as 31 bits, and how many leading zeros it had.
     #[inline(never)]
-    pub(crate) fn excess(&self, from: PointFx, length: u64) -> u64 {
-        let Ok(length) = u32::try_from(length) else { return 0 };
-        let Some(length) = NonZeroU32::new(length) else { return 0 };
-        let (Bends(first, second), (a, b)) = (self.bends(self.part), (bits(from), bits(self.last)));
-        let sum = |p: i32, q: i32| i64::from(p).wrapping_add(q.into());
-        let (w, c) = ((sum(first.0, second.0), sum(first.1, second.1)), (difference(b.0, a.0), difference(b.1, a.1)));
-        let across = w.0.wrapping_mul(c.1).wrapping_sub(w.1.wrapping_mul(c.0)).unsigned_abs();
-        // 16 |W x c| / |c|, below 2^15 for parts that are flat.
-        let (bend, _) = div_rem_wide(across << 3, length);
-        let (bend, length) = (bend.min(0xffff), length.get());
-        // bend^2 / 6 length.
-        NonZeroU32::new(length.saturating_mul(6)).map_or(0, |divisor| u64::from(bend.wrapping_mul(bend) / divisor))
+    pub(crate) fn length(&self, speed: impl Fn(Way) -> (u32, u32)) -> u64 {
+        let (from, end) = self.times();
+        let h = end.wrapping_sub(from);
+        // The root of 3/5.
+        let off = low_u32(product(h, 3_326_808_142) >> 32);
+        let at = |twice: u32| {
+            let time = from.wrapping_add(twice >> 1);
+            let (length, zeros) = speed((self.x.slope(time), self.y.slope(time)));
+            product(length, h).wrapping_shr(zeros.wrapping_sub(1))
+        };
+        let (a, b, c) = (at(h.wrapping_sub(off)), at(h), at(h.wrapping_add(off)));
+        let sum = a.wrapping_add(c).wrapping_mul(5).wrapping_add(b << 3);
+        // 2^32 / 18.
+        magnitude(times((signed_wide(sum >> 32), low_u32(sum)), 238_609_294).0)
     }
 
     /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.

@@ -118,12 +118,18 @@ pub(crate) fn is_tiny(a: PointFx, b: PointFx, width: u32) -> bool {
     longer.wrapping_mul(longer) <= u64::from(width) << 2
 }
 
-/// How far two places are from each other, in units of 2^-16 pixel, rounded down. It takes a third of what the direction does.
+/// How far two places are from each other, in units of 2^-20 pixel, rounded down. It takes a third of what the direction does.
 #[inline(never)]
 pub(crate) fn distance(a: PointFx, b: PointFx) -> u64 {
     let (a, b) = (bits(a), bits(b));
     let Scaled { length, zeros, .. } = Scaled::new(difference(b.0, a.0), difference(b.1, a.1));
-    (u64::from(length) << 9).wrapping_shr(zeros.wrapping_sub(32))
+    (u64::from(length) << 13).wrapping_shr(zeros.wrapping_sub(32))
+}
+
+/// The length of a vector, scaled, and how many leading zeros its larger component has.
+pub(crate) fn speed((x, y): (i64, i64)) -> (u32, u32) {
+    let Scaled { length, zeros, .. } = Scaled::new(x, y);
+    (length, zeros)
 }
 
 /// A vector, scaled so that the larger component has 31 bits. A short one is exact.

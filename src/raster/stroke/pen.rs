@@ -81,11 +81,11 @@ impl Sight {
         self.corners.hides(v, v, 0)
     }
 
-    /// A lower bound for the distance of a place from what can be seen, but for tips of miters, in units of 2^-16 pixel.
+    /// A lower bound for the distance of a place from what can be seen, but for tips of miters, in units of 2^-20 pixel.
     pub(super) fn beside(&self, v: PointFx) -> u64 {
         let ((x, y), [(x0, y0), (x1, y1)]) = (bits(v), self.near.corners());
         let beside = |n: i32, low: i32, high: i32| difference(low, n).max(difference(n, high));
-        magnitude(beside(x, x0, x1).max(beside(y, y0, y1)).max(0)) << 8
+        magnitude(beside(x, x0, x1).max(beside(y, y0, y1)).max(0)) << 12
     }
 }
 
