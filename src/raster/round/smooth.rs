@@ -87,9 +87,11 @@ impl Oval {
 
     /// Parts of a turn that are one curve each, and `4/3 tan(turn / (4 parts))` in units of `2^-30`.
     fn parts(self) -> (u16, i64) {
-        const CURVES: [(u32, u16, i64); 3] = [(9, 8, 284_774_038), (14, 16, 141_005_785), (20, 32, 70_332_738)];
+        const PIXEL: i64 = 512;
+        const CURVES: [(i64, u16, i64); 3] =
+            [(PIXEL << 9, 8, 284_774_038), (PIXEL << 14, 16, 141_005_785), (PIXEL << 20, 32, 70_332_738)];
         let radius = self.radii.0.max(self.radii.1);
-        let enough = CURVES.iter().find(|(pixel_bits, ..)| radius <= 512 << pixel_bits);
+        let enough = CURVES.iter().find(|&&(most, ..)| radius <= most);
         enough.map_or((64, 35_145_176), |&(_, parts, handle)| (parts, handle))
     }
 }
