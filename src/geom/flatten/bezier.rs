@@ -189,7 +189,8 @@ impl Bezier {
         (self.from, self.part.time(self.part.done))
     }
 
-    /// Which way it goes from a time on, for so long, is a curve of the second degree: its middle control point, as a way.
+    /// How the curve's slope changes from a time on, for so long: the slope is a curve of the second degree itself, and this is its middle
+    /// control point.
     pub(crate) fn bend_of_way(&self, from: u32, length: u32) -> Way {
         let slopes = [0, length >> 1, length].map(|t| {
             let time = from.wrapping_add(t);

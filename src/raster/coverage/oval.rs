@@ -10,8 +10,8 @@
 //! **How exact.** Where the curve crosses a border is rounded down to 1/4096 pixel. The bulge is that of the ellipse, a segment of it,
 //! to 3 %. So a level is at most 0.9/255 off the true one of a circle, 1.6/255 off that of an ellipse or of a radius below 4 pixels.
 //! Beyond radii of 2^18 pixels, steps are coarser, so that radii stay below 2^30 of them: levels are at most 2.5/255 off up to radii of
-//! 2^22 pixels, and 5.5/255 up to 2^23, the end of the type. Ellipses in larger boxes are as far off as their steps are wide, `2^-30` of
-//! the radius.
+//! 2^22 pixels, and 5.5/255 up to 2^23, the end of the type. Boxes of pixels may be larger than that: then the curve is off by up to a
+//! step, which is `2^-30` of the radius.
 //!
 //! **Why a pixel needs nothing but its borders.** A row below the middle, or above it, holds pieces of the curve that only rise, or only
 //! fall. Each is one chord a pixel. The row of the centre is two such pieces, each with a part of the row's height; the column of the
@@ -189,7 +189,8 @@ impl Cut {
         (self.top >= 0 || self.bottom <= 0).then(|| Piece::new(lower, upper))
     }
 
-    /// The curve in any row: above the centre and below it. One that there is not comes last.
+    /// The curve in any row: the piece above the centre and the one below it. If the row has only one of them, that comes first, and the
+    /// other one is empty.
     #[inline(always)]
     fn pieces(self, oval: &Oval) -> [Piece; 2] {
         let [upper, lower] = self.ends();
@@ -230,7 +231,8 @@ impl Columns {
     }
 }
 
-/// Tells any row of some curves: of each pixel what `level` makes of their levels. Of full and empty ones that is full, or empty.
+/// Tells a row that some curves go through. `level` makes one level of those that the curves have in a pixel. Where each curve is full
+/// or empty it has to be full or empty too: then many pixels are told at once.
 #[inline(never)]
 fn tell_row<const N: usize>(
     curves: [(&Oval, [Piece; 2]); N],
