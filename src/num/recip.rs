@@ -21,7 +21,7 @@ use core::num::NonZeroU32;
 
 use super::{
     cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide, unsigned},
-    wide::product,
+    wide::{high_word, product},
 };
 
 /// A number to divide many others by.
@@ -39,6 +39,13 @@ impl Divisor {
         let shift = d.get().leading_zeros();
         let normal = d.get() << shift;
         Self { normal, inverse: reciprocal(normal), shift }
+    }
+
+    /// `floor((2^32 - 1) / d)`: the whole part of the reciprocal, as what is cut away comes to less than the next whole number.
+    #[inline]
+    pub(crate) const fn inverse(self) -> u32 {
+        // Its highest bit, and what is left of the others.
+        1_u32.wrapping_shl(self.shift) | (self.inverse >> 1).wrapping_shr(31_u32.wrapping_sub(self.shift))
     }
 
     const fn divisor(self) -> u32 {
@@ -135,12 +142,13 @@ pub(crate) const fn reciprocal(m: u32) -> u32 {
     let t = t.wrapping_add(unsigned(signed(t).wrapping_mul(error) >> 21));
     // 2^46 / m, then 2^49 / m: twice it, less its square times m. Rounded down, as m is rounded up.
     let v0 = t >> 1;
-    let v1 = (v0 << 4).wrapping_sub(high(product(v0.wrapping_mul(v0), (m >> 11) + 1))).wrapping_sub(1);
+    let v1 = (v0 << 4).wrapping_sub(high_word(v0.wrapping_mul(v0), (m >> 11) + 1)).wrapping_sub(1);
     // 2^48 - v1 m / 2, which is not negative and fits a word.
     let error = ((v1 >> 1) & (m & 1).wrapping_neg()).wrapping_sub(v1.wrapping_mul((m >> 1) + (m & 1)));
-    let v2 = (v1 << 15).wrapping_add(high(product(v1, error)) >> 1);
+    let v2 = (v1 << 15).wrapping_add(high_word(v1, error) >> 1);
     // (2^32 + v2 + 1) m.
-    v2.wrapping_sub(high(product(v2, m).wrapping_add(m as u64)).wrapping_add(m))
+    let carry = v2.wrapping_mul(m).overflowing_add(m).1;
+    v2.wrapping_sub(high_word(v2, m).wrapping_add(carry as u32).wrapping_add(m))
 }
 
 /// `2^46 / sqrt(m)` for m from `2^30` on: with m as a fraction x from 1/4 to 1, `1 / sqrt(x)` in 2.30, from 1 to 2.
@@ -257,6 +265,7 @@ mod tests {
     fn divisions_are_exact_up_to_the_last_quotient() {
         for d in ENDS.into_iter().chain((0..100).map(|i| 2_654_435_769_u32.wrapping_mul(i) >> (i % 32) | 1)) {
             let divisor = Divisor::new(NonZeroU32::new(d).unwrap());
+            assert_eq!(divisor.inverse(), u32::MAX / d, "divisor {d}");
             for q in ENDS.into_iter().chain([0]) {
                 for r in [0, 1, d / 2, d - 1].into_iter().filter(|&r| r < d) {
                     let n = product(q, d) + u64::from(r);

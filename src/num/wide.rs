@@ -1,6 +1,8 @@
 //! Products of more than 64 bits.
 
-use super::cast::{low_u32, magnitude, narrow, saturate, signed_wide, unsigned};
+use core::hint::black_box;
+
+use super::cast::{low_u32, magnitude, narrow, saturate, signed, signed_wide, unsigned};
 use crate::tune::LONG_PRODUCTS;
 
 /// The product of two words.
@@ -23,6 +25,26 @@ const fn by_halves(a: u32, b: u32) -> u64 {
     let other = a0.wrapping_mul(b1).wrapping_add(middle & 0xffff);
     let high = a1.wrapping_mul(b1).wrapping_add(middle >> 16).wrapping_add(other >> 16);
     (high as u64) << 32 | (other << 16 | low & 0xffff) as u64
+}
+
+/// The high word of a product of two words.
+#[inline]
+pub(crate) const fn high_word(a: u32, b: u32) -> u32 {
+    if LONG_PRODUCTS {
+        low_u32((a as u64).wrapping_mul(b as u64) >> 32)
+    } else {
+        high_by_halves(a, b)
+    }
+}
+
+/// The same from products of halves. A compiler that sees what it comes to calls the function for products of 64 bits after all, so one of
+/// the sums is hidden.
+#[inline]
+const fn high_by_halves(a: u32, b: u32) -> u32 {
+    let ((a1, a0), (b1, b0)) = ((a >> 16, a & 0xffff), (b >> 16, b & 0xffff));
+    let middle = black_box(a1.wrapping_mul(b0).wrapping_add(a0.wrapping_mul(b0) >> 16));
+    let other = a0.wrapping_mul(b1).wrapping_add(middle & 0xffff);
+    a1.wrapping_mul(b1).wrapping_add(middle >> 16).wrapping_add(other >> 16)
 }
 
 /// The product of two words with signs.
@@ -74,6 +96,24 @@ pub(crate) fn wide_times_small(n: u64, factor: u32) -> u64 {
     }
     let [low, high] = times_small([low_u32(n), low_u32(n >> 32)], factor);
     u64::from(high) << 32 | u64::from(low)
+}
+
+/// So many times a word below 2^31, for a factor with a sign between -2^16 and 2^16.
+#[inline(always)]
+pub(crate) fn signed_times_small(factor: i32, n: u32) -> i64 {
+    if LONG_PRODUCTS {
+        signed_product(factor, signed(n))
+    } else {
+        halves_with_sign(factor, n)
+    }
+}
+
+/// The same from products of halves.
+#[inline(always)]
+fn halves_with_sign(factor: i32, n: u32) -> i64 {
+    let sign = i64::from(factor >> 31);
+    let (low, high) = times_half(n, factor.unsigned_abs(), 0);
+    (signed_wide(u64::from(high) << 32 | u64::from(low)) ^ sign).wrapping_sub(sign)
 }
 
 /// `(2^32 high + low) factor`, in the same form. The caller knows that the product fits into 96 bits.
@@ -161,11 +201,16 @@ mod tests {
         for &a in &numbers {
             for &b in &numbers {
                 assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+                assert_eq!(high_by_halves(a, b), low_u32((u64::from(a) * u64::from(b)) >> 32), "{a} {b}");
                 let (i, k) = (a.cast_signed(), b.cast_signed());
                 assert_eq!(with_signs(i, k), i64::from(i) * i64::from(k), "{i} {k}");
                 let (factor, carry) = (b & 0xffff, a >> 16);
                 let sum = u64::from(a) * u64::from(factor) + u64::from(carry);
                 assert_eq!(times_half(a, factor, carry), (low_u32(sum), low_u32(sum >> 32)), "{a} {factor} {carry}");
+                for k in [factor.cast_signed(), -factor.cast_signed()] {
+                    let n = a >> 1;
+                    assert_eq!(halves_with_sign(k, n), i64::from(k) * i64::from(n), "{k} {n}");
+                }
                 let (wide, factor) = (u64::from(a) << 32 | u64::from(b), b >> 16);
                 assert_eq!(wide_times_small(wide, factor), wide.wrapping_mul(factor.into()), "{wide} {factor}");
             }

@@ -213,6 +213,23 @@ fn times(n: u128, factor: u32) -> u128 {
     times_small([0, 32, 64, 96].map(word), factor).into_iter().rev().fold(0, |sum, word| sum << 32 | u128::from(word))
 }
 
+/// A number, and so many times another one: word by word, each with its part of the sum and with what the one before carries.
+#[inline(always)]
+fn plus_times(at: u128, n: u128, factor: u32) -> u128 {
+    if !LONG_PRODUCTS {
+        return at.wrapping_add(times(n, factor));
+    }
+    let word = |n: u128, bit: u32| low_u32(low_u64(n.wrapping_shr(bit)));
+    let mut carry = 0;
+    let [a, b, c] = [0, 32, 64].map(|bit| {
+        let sum = product(word(n, bit), factor).wrapping_add(word(at, bit).into()).wrapping_add(u64::from(carry));
+        carry = low_u32(sum >> 32);
+        u128::from(low_u32(sum))
+    });
+    let d = word(n, 96).wrapping_mul(factor).wrapping_add(word(at, 96)).wrapping_add(carry);
+    a | b << 32 | c << 64 | u128::from(d) << 96
+}
+
 /// The level whose lowest bit is that one. Each lies in one of the four words.
 #[inline(always)]
 fn level(n: u128, bit: u32) -> u8 {
@@ -232,7 +249,7 @@ impl Small<LevelRun> for Sums<u128> {
 
     #[inline(always)]
     fn run(&self, right: u32) -> LevelRun {
-        LevelRun { at: self.at.wrapping_add(times(self.right, right)), by: self.right }
+        LevelRun { at: plus_times(self.at, self.right, right), by: self.right }
     }
 }
 

@@ -37,7 +37,7 @@ use crate::{
     num::cast::unsigned,
     raster::triangle::{self, TinySpans},
     span::ClippedSpan,
-    surface::{self, Depth, Frame, Inside, Said, Surface},
+    surface::{self, Depth, DepthCell, Frame, Inside, Said, Surface},
 };
 
 /// Nearer than what is there.
@@ -158,7 +158,7 @@ fn test<M: AsMut<[u8]>, Z: Depth>(
 ) {
     let Some(cells) = depth.cells(span) else { return };
     let hidden = cells.iter().take_while(|cell| {
-        let is_hidden = !passes(&Z::Number::value(&z), &Z::load(**cell));
+        let is_hidden = !passes(&Z::Number::value(&z), &cell.load());
         if is_hidden {
             Z::Number::step(&mut z);
         }
@@ -181,10 +181,10 @@ fn paint<S: Surface, Z: Depth, V: Varying>(
     let mut cells = cells.iter_mut();
     on.write_inside(Inside(Said::Span(span)), |_| {
         let number = Z::Number::value(&z);
-        let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
+        let painted = cells.next().filter(|cell| passes(&number, &cell.load())).and_then(|cell| {
             let color = color(V::value(&at), number)?;
             if writes {
-                *cell = Z::store(number);
+                *cell = Z::Cell::store(number);
             }
             Some(color)
         });
@@ -263,7 +263,7 @@ fn fill_small<S: Surface, M: AsMut<[u8]>, Z: Depth, V: Varying>(
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
     paint: impl FnOnce(&mut S, &mut Rest<'_, Z>, V::Small),
 ) -> bool {
-    if !small::SMALL || !V::Small::EXISTS {
+    if !small::SMALL || !V::Small::EXISTS || !depth.is_aligned() {
         return false;
     }
     let facet = facet();

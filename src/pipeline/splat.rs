@@ -27,7 +27,7 @@ use crate::{
         rectangle,
     },
     span::{ClippedSpan, Rect},
-    surface::{Frame, Inside, Rows, Said, Surface},
+    surface::{DepthCell, Frame, Inside, Rows, Said, Surface},
 };
 
 /// A point on the screen.
@@ -103,9 +103,9 @@ impl<V: Copy> Splat<V> {
             let Some(cells) = depth.cells(span) else { return };
             let mut cells = cells.iter_mut();
             on.write_inside(Inside(Said::Span(span)), |x| {
-                let cell = cells.next().filter(|cell| passes(&number, &Z::load(**cell)))?;
+                let cell = cells.next().filter(|cell| passes(&number, &cell.load()))?;
                 let color = fragment(self.fragment(Point::new(x, span.y()), number))?;
-                *cell = Z::store(number);
+                *cell = Z::Cell::store(number);
                 Some(color)
             });
         });

@@ -4,7 +4,11 @@ use core::num::NonZeroU32;
 
 use super::slope::Slope;
 use crate::{
-    num::cast::{low_u32, magnitude, signed, unsigned},
+    num::{
+        cast::{low_u32, magnitude, signed, unsigned},
+        recip::Divisor,
+        wide::{signed_product, signed_times_small},
+    },
     tune::{COMPACT, DIVIDES},
 };
 
@@ -82,11 +86,22 @@ impl Sum {
         let (p, f) = (ax >> 8, unsigned(ax) & 255);
         let n = f.wrapping_mul(dy.get()).wrapping_add(unsigned(side.down_to(y).wrapping_mul(dx)));
         let m = signed(n).wrapping_sub(1) >> 8;
-        let i = (u32::MAX / dy) & (u32::MAX >> 1);
-        let times = |n: i32| i64::from(n).wrapping_mul(i64::from(i));
+        let i = Self::inverse(dy) & (u32::MAX >> 1);
         let cut = |n: i64| low_u32(magnitude(n >> (32 - Self::BITS)));
         let start = i64::from(p) << 32 | i64::from(i >> 1);
-        Self { at: cut(start.wrapping_add(times(m))), by: cut(times(dx)) }
+        // Of a tiny triangle |dx| is below 2^14, and i below 2^31.
+        let (first, step) = (signed_product(m, signed(i)), signed_times_small(dx, i));
+        Self { at: cut(start.wrapping_add(first)), by: cut(step) }
+    }
+
+    /// `floor((2^32 - 1) / dy)`.
+    #[inline(always)]
+    fn inverse(dy: NonZeroU32) -> u32 {
+        if DIVIDES {
+            u32::MAX / dy
+        } else {
+            Divisor::new(dy).inverse()
+        }
     }
 
     /// The first pixel right of the side on this row.

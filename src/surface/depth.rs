@@ -1,10 +1,13 @@
 //! [`DepthBuffer`]: how far away what is seen is, pixel by pixel.
 
+use core::marker::PhantomData;
+
 use super::{frame::Frame, rows::Rows};
 use crate::{
     geom::Varying,
     pixel::{Depth16, Depth32, PixelFormat},
     span::ClippedSpan,
+    tune::UNALIGNED,
 };
 
 /// A frame of depths, beside a frame of colours: with the same size, the same band or the same view, so that both have the same
@@ -23,17 +26,41 @@ pub type DepthBuffer<'a, Z> = Frame<&'a mut [u8], Rows<Z>>;
 pub trait Depth: PixelFormat<Color = Self> + Copy {
     /// The number that changes over a triangle.
     type Number: Varying + PartialOrd;
-    /// Its place in memory.
+    /// Its place in memory, at any address.
     #[doc(hidden)]
-    type Cell: bytemuck::Pod;
+    type Cell: DepthCell<Self::Number>;
+    /// The same where a small triangle is drawn: at an address from which the chip loads it at once.
+    #[doc(hidden)]
+    type Word: DepthCell<Self::Number>;
+}
 
-    /// The number in a place.
+/// A place in memory for a number.
+pub trait DepthCell<N>: bytemuck::Pod {
+    /// The number that is there.
     #[doc(hidden)]
-    fn load(cell: Self::Cell) -> Self::Number;
+    fn load(self) -> N;
 
-    /// The place of a number.
+    /// What has to be there for a number.
     #[doc(hidden)]
-    fn store(number: Self::Number) -> Self::Cell;
+    fn store(number: N) -> Self;
+}
+
+/// One of two types: see [`Choose`].
+pub trait Choice {
+    /// This one.
+    type Chosen;
+}
+
+/// The first type, or the second one: where what is known of the chip decides what lies in memory.
+#[derive(Debug)]
+pub struct Choose<const FIRST: bool, A, B>(PhantomData<(A, B)>);
+
+impl<A, B> Choice for Choose<true, A, B> {
+    type Chosen = A;
+}
+
+impl<A, B> Choice for Choose<false, A, B> {
+    type Chosen = B;
 }
 
 macro_rules! depth {
@@ -41,15 +68,30 @@ macro_rules! depth {
         impl Depth for $depth {
             type Number = $number;
             type Cell = [u8; $bytes];
+            type Word = <Choose<UNALIGNED, [u8; $bytes], $number> as Choice>::Chosen;
+        }
 
+        impl DepthCell<$number> for [u8; $bytes] {
             #[inline(always)]
-            fn load(cell: Self::Cell) -> $number {
-                <$number>::from_le_bytes(cell)
+            fn load(self) -> $number {
+                <$number>::from_le_bytes(self)
             }
 
             #[inline(always)]
-            fn store(number: $number) -> Self::Cell {
+            fn store(number: $number) -> Self {
                 number.to_le_bytes()
+            }
+        }
+
+        impl DepthCell<$number> for $number {
+            #[inline(always)]
+            fn load(self) -> $number {
+                Self::from_le(self)
+            }
+
+            #[inline(always)]
+            fn store(number: $number) -> Self {
+                number.to_le()
             }
         }
     };
@@ -70,17 +112,21 @@ impl<M: AsMut<[u8]>, Z: Depth> Frame<M, Rows<Z>> {
         Some(cells)
     }
 
-    /// All depths as they lie in memory, the place of a pixel of the window among them, and how far it is to the row below. `None` where
-    /// rows are not whole depths apart.
+    /// Whether the chip loads each depth at once, and rows are whole depths apart.
     #[inline(always)]
-    pub(crate) fn all_cells(&mut self, x: i32, y: i32) -> Option<(&mut [Z::Cell], usize, usize)> {
+    pub(crate) fn is_aligned(&mut self) -> bool {
+        let (memory, grid) = self.write();
+        grid.stride.is_multiple_of(size_of::<Z::Word>()) && memory.as_ptr().cast::<Z::Word>().is_aligned()
+    }
+
+    /// All depths as they lie in memory, if it [is aligned](Self::is_aligned), the place of a pixel of the window among them, and how far
+    /// it is to the row below.
+    #[inline(always)]
+    pub(crate) fn words(&mut self, x: i32, y: i32) -> (&mut [Z::Word], usize, usize) {
         let (column, row) = self.place(x, y);
         let (memory, grid) = self.write();
-        let pitch = grid.stride / size_of::<Z::Cell>();
-        if !grid.stride.is_multiple_of(size_of::<Z::Cell>()) {
-            return None;
-        }
-        let (_, cells, _) = bytemuck::pod_align_to_mut::<u8, Z::Cell>(memory);
-        Some((cells, row.wrapping_mul(pitch).wrapping_add(column), pitch))
+        let pitch = grid.stride / size_of::<Z::Word>();
+        let (_, words, _) = bytemuck::pod_align_to_mut::<u8, Z::Word>(memory);
+        (words, row.wrapping_mul(pitch).wrapping_add(column), pitch)
     }
 }

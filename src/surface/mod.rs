@@ -51,6 +51,7 @@ pub use self::{
     turned::{Turn, Turned},
 };
 pub(crate) use self::{
+    depth::DepthCell,
     levels::CHUNK,
     traits::{blit_mapped, blit_mixed, Inside, InsideRows, Said},
 };

@@ -198,14 +198,21 @@ fn memory_of_any_kind_has_the_same_pixels() {
         let z = [(); 3].map(|()| level(&mut rng, 65_535) as u16);
         let colors = [(); 3].map(|()| Rgb565::new(level(&mut rng, 31) as u8, level(&mut rng, 63) as u8, 9));
         let pattern: Vec<u16> = (0..SIZE * SIZE).map(|_| rng.pick(&[0, 20_000, 40_000, u16::MAX])).collect();
-        // Two numbers of bytes from row to row, and where a view begins.
-        let mut memory = || (rng.pick(&[160, 161, 163, 200]), rng.pick(&[(0, 0), (5, 3), (-2, -4), (3, 16)]));
-        let ((stride, corner), (depth_stride, depth_corner)) = (memory(), memory());
-        let (mut ram, mut depth_ram) = ([0; 200 * 80], [0; 200 * 80]);
+        // Two numbers of bytes from row to row, where a view begins, and whether the memory does at an even address.
+        let mut memory = || {
+            (rng.pick(&[160, 161, 163, 200]), rng.pick(&[(0, 0), (5, 3), (-2, -4), (3, 16)]), rng.pick(&[0, 0, 1, 2]))
+        };
+        let ((stride, corner, start), (depth_stride, depth_corner, depth_start)) = (memory(), memory());
+        let (mut ram, mut depth_ram) = ([0; 200 * 80 + 8], [0; 200 * 80 + 8]);
+        let from = |ram: &[u8], start: usize| ram.as_ptr().align_offset(4) + start;
+        let (ram, depth_ram) = {
+            let (start, depth_start) = (from(&ram, start), from(&depth_ram, depth_start));
+            (&mut ram[start..], &mut depth_ram[depth_start..])
+        };
         let view = |(x, y): (i32, i32)| Rect::new(x, y, x + SIZE, y + SIZE);
-        let mut frame = Framebuffer::<Rgb565>::with_stride(&mut ram[..], 80, 80, stride).unwrap();
+        let mut frame = Framebuffer::<Rgb565>::with_stride(ram, 80, 80, stride).unwrap();
         let mut frame = frame.view(view(corner));
-        let mut depths = DepthBuffer::<Depth16>::with_stride(&mut depth_ram[..], 80, 80, depth_stride).unwrap();
+        let mut depths = DepthBuffer::<Depth16>::with_stride(depth_ram, 80, 80, depth_stride).unwrap();
         let mut depths = depths.view(view(depth_corner));
         let places = || (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| Point::new(x, y)));
         let before = |at: Point| pattern[(at.y * SIZE + at.x) as usize];

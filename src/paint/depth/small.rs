@@ -16,7 +16,7 @@ use crate::{
     paint::shade::paint_rows,
     raster::triangle::{tiny, TinySpan, TinySpans},
     span::{ClippedSpan, Rect},
-    surface::{self, Depth, Frame, Inside, InsideRows, Said, Surface},
+    surface::{self, Depth, DepthCell, Frame, Inside, InsideRows, Said, Surface},
     tune::{keep_rolled, COMPACT},
 };
 
@@ -32,7 +32,7 @@ pub(super) struct Rest<'a, Z: Depth> {
     y: i32,
     /// The depths in that column of that row, and what there is in memory.
     depths: <Z::Number as Varying>::Small,
-    cells: &'a mut [Z::Cell],
+    cells: &'a mut [Z::Word],
     /// Their place in memory, and from there to the row below.
     place: usize,
     pitch: usize,
@@ -55,7 +55,7 @@ impl<'a, Z: Depth> Rest<'a, Z> {
         let (y, rows) = tiny(corners, window, x, spans)?;
         let mut depths = Z::Number::small(facet, depths)?;
         depths.skip(unsigned(y.wrapping_sub(first_y)));
-        let (cells, place, pitch) = depth.all_cells(x, y)?;
+        let (cells, place, pitch) = depth.words(x, y);
         Some(Self { spans: spans.rows().get_mut(..rows)?, x, y, depths, cells, place, pitch })
     }
 
@@ -76,7 +76,7 @@ impl<'a, Z: Depth> Rest<'a, Z> {
             let mut z = depths.run(right.into());
             let is_seen = cells.get(first..first.wrapping_add(pixels.into())).is_some_and(|cells| {
                 cells.iter().any(|&cell| {
-                    let passes = passes(&Z::Number::value(&z), &Z::load(cell));
+                    let passes = passes(&Z::Number::value(&z), &cell.load());
                     Z::Number::step(&mut z);
                     passes
                 })
@@ -157,9 +157,9 @@ impl<'a, Z: Depth> Rest<'a, Z> {
                 let span = ClippedSpan::inside(y, x0, x0.wrapping_add(pixels.into()));
                 on.write_inside(Inside(Said::Span(span)), |_| {
                     let number = Z::Number::value(&z);
-                    let painted = cells.next().filter(|cell| passes(&number, &Z::load(**cell))).and_then(|cell| {
+                    let painted = cells.next().filter(|cell| passes(&number, &cell.load())).and_then(|cell| {
                         let color = color(V::value(&at), number)?;
-                        *cell = Z::store(number);
+                        *cell = Z::Word::store(number);
                         Some(color)
                     });
                     Z::Number::step(&mut z);
@@ -178,7 +178,7 @@ impl<'a, Z: Depth> Rest<'a, Z> {
 /// row ends at `end`, and how many.
 #[inline(always)]
 fn keep_run<Z: Depth>(
-    rest: &mut IterMut<'_, Z::Cell>,
+    rest: &mut IterMut<'_, Z::Word>,
     z: &mut <Z::Number as Varying>::Run,
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
     end: u8,
@@ -188,20 +188,20 @@ fn keep_run<Z: Depth>(
         keep_rolled(true);
         let number = Z::Number::value(z);
         Z::Number::step(z);
-        if passes(&number, &Z::load(*cell)) {
-            *cell = Z::store(number);
-            let (left, mut kept) = (few(rest.len()).wrapping_add(1), 1_u32);
-            for cell in rest.by_ref() {
+        if passes(&number, &cell.load()) {
+            *cell = Z::Word::store(number);
+            let left = few(rest.len()).wrapping_add(1);
+            let right = end.wrapping_sub(left);
+            while let Some(cell) = rest.next() {
                 keep_rolled(true);
                 let number = Z::Number::value(z);
                 Z::Number::step(z);
-                if !passes(&number, &Z::load(*cell)) {
-                    break;
+                if !passes(&number, &cell.load()) {
+                    return [right, left.wrapping_sub(few(rest.len())).wrapping_sub(1)];
                 }
-                *cell = Z::store(number);
-                kept = kept.wrapping_add(1);
+                *cell = Z::Word::store(number);
             }
-            return [end.wrapping_sub(left), low_u8(kept)];
+            return [right, left];
         }
     }
     [0, 0]
@@ -210,7 +210,7 @@ fn keep_run<Z: Depth>(
 /// Calls `seen` with all runs that are left in a row. A second one is rare.
 #[inline(never)]
 fn keep_runs<Z: Depth>(
-    mut rest: IterMut<'_, Z::Cell>,
+    mut rest: IterMut<'_, Z::Word>,
     mut z: <Z::Number as Varying>::Run,
     passes: &impl Fn(&Z::Number, &Z::Number) -> bool,
     end: u8,
