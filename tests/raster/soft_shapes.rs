@@ -136,14 +136,15 @@ fn ellipses_of_all_radii_cover_what_lies_in_their_curves() {
     for i in 0..cases(4_000) {
         let bits = rng.int(12, 31);
         let large = rng.int(1 << (bits - 1), i32::MAX >> (31 - bits));
-        let small = [large, rng.int(1, large), 1 << rng.int(0, bits - 1), rng.int(1, 4_000).min(large)][i % 4];
-        let radii = if i % 8 < 4 { (large, small) } else { (small, large) };
+        let thin = rng.int(1, 15);
+        let small = [large, rng.int(1, large), 1 << rng.int(0, bits - 1), rng.int(1, 4_000).min(large), thin][i % 5];
+        let radii = if i % 10 < 5 { (large, small) } else { (small, large) };
         let centre = (rng.int(-5_000, 5_000), rng.int(-5_000, 5_000));
         let ellipse =
             Ellipse::new(PointFx::from_bits(centre.0, centre.1), I24F8::from_bits(radii.0), I24F8::from_bits(radii.1));
         let units = |n: i32| f64::from(n) / 256.0;
         let (middle, half) = ((units(centre.0), units(centre.1)), (units(radii.0), units(radii.1)));
-        let (window, _) = somewhere_on(&mut rng, middle, half, i / 8);
+        let (window, _) = somewhere_on(&mut rng, middle, half, i / 10);
         let got = told(window, |_, _, levels| coverage::ellipse(ellipse, window, levels));
         for (x, y) in (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| (x, y))) {
             let wanted = covered_by_large_ellipse(middle, half, (x, y)) * 255.0;
@@ -154,7 +155,7 @@ fn ellipses_of_all_radii_cover_what_lies_in_their_curves() {
     }
     println!("ellipses are at most so many 255ths off, by the bits of the larger radius: {worst:?}");
     assert!(worst[..=26].iter().all(|&worst| worst <= 1.6), "{worst:?}");
-    assert!(worst[..=30].iter().all(|&worst| worst <= 2.5) && worst[31] <= 5.5, "{worst:?}");
+    assert!(worst[..=30].iter().all(|&worst| worst <= 2.5) && worst[31] <= 4.5, "{worst:?}");
 }
 
 /// Boxes as large as the type allows: the middle is full, also up to the ends of the axes, and the corners are empty.

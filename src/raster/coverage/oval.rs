@@ -10,7 +10,7 @@
 //! **How exact.** Where the curve crosses a border is rounded down to 1/4096 pixel. The bulge is that of the ellipse, a segment of it,
 //! to 3 %. So a level is at most 0.9/255 off the true one of a circle, 1.6/255 off that of an ellipse or of a radius below 4 pixels.
 //! Beyond radii of 2^18 pixels, steps are coarser, so that radii stay below 2^30 of them: levels are at most 2.5/255 off up to radii of
-//! 2^22 pixels, and 5.5/255 up to 2^23, the end of the type. Boxes of pixels may be larger than that: then the curve is off by up to a
+//! 2^22 pixels, and 4.5/255 up to 2^23, the end of the type. Boxes of pixels may be larger than that: then the curve is off by up to a
 //! step, which is `2^-30` of the radius.
 //!
 //! **Why a pixel needs nothing but its borders.** A row below the middle, or above it, holds pieces of the curve that only rise, or only
@@ -316,9 +316,12 @@ impl Oval {
         // They come in 1/512 pixel, below 2^42.
         let zeros = signed_wide(magnitude(radii.0.max(radii.1))).leading_zeros();
         let bits = zeros.saturating_sub(25).min(BITS);
-        let scaled =
-            |n: i64| if bits >= 9 { n << (bits.wrapping_sub(9) & 31) } else { n >> (9_u32.wrapping_sub(bits) & 31) };
-        let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)));
+        // To the nearest step, where that is coarser.
+        let scaled = |n: i64| {
+            let halves = if bits >= 8 { n << (bits.wrapping_sub(8) & 31) } else { n >> (8_u32.wrapping_sub(bits) & 31) };
+            halves.wrapping_add(1) >> 1
+        };
+        let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)).min(unsigned(i32::MAX)));
         let (large, small) = (rx.max(ry), NonZeroU32::new(rx.min(ry))?);
         let stretch = if rx == ry { None } else { Stretch::new(large, small) };
         let bulge = Bulge::new(stretch, rx >= ry, small, BITS.wrapping_sub(bits));
@@ -566,7 +569,7 @@ struct Bulge {
     parts: (u32, u32),
     /// `R / (12 r^2)`, with which a segment has `T^3` times that: in `2^-12` of a pixel's inverse.
     factor: u32,
-    /// `r^2 / 2^14` where the series has more than one part, or where steps are coarser.
+    /// `r^2 / 2^14`, at least 1, where the series has more than one part, or where steps are coarser.
     small: Option<NonZeroU32>,
     /// A step is `2^up` of those of `2^-BITS` pixel, in which all else is.
     up: u32,
@@ -586,7 +589,7 @@ impl Bulge {
         Self {
             parts: if is_wide { (down, ONE) } else { (ONE, down) },
             factor,
-            small: NonZeroU32::new(squared).filter(|_| fine < 1 << 14 || up > 0),
+            small: NonZeroU32::new(squared.max(1)).filter(|_| fine < 1 << 14 || up > 0),
             up,
         }
     }
