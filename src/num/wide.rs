@@ -116,11 +116,29 @@ fn halves_with_sign(factor: i32, n: u32) -> i64 {
     (signed_wide(u64::from(high) << 32 | u64::from(low)) ^ sign).wrapping_sub(sign)
 }
 
+/// So many times a number, of which the low 64 bits are left.
+#[inline(always)]
+pub(crate) const fn wide_times(n: i64, factor: u32) -> i64 {
+    if LONG_PRODUCTS {
+        n.wrapping_mul(factor as i64)
+    } else {
+        wide_by_halves(n, factor)
+    }
+}
+
+/// The same from products of halves.
+#[inline]
+const fn wide_by_halves(n: i64, factor: u32) -> i64 {
+    let (high, low) = (low_u32(magnitude(n) >> 32), low_u32(magnitude(n)));
+    let high = high.wrapping_mul(factor).wrapping_add(high_by_halves(low, factor));
+    signed_wide((high as u64) << 32 | low.wrapping_mul(factor) as u64)
+}
+
 /// `(2^32 high + low) factor`, in the same form. The caller knows that the product fits into 96 bits.
 #[inline(always)]
 pub(crate) fn times((high, low): (i64, u32), factor: u32) -> (i64, u32) {
-    let product = u64::from(low).wrapping_mul(u64::from(factor));
-    (high.wrapping_mul(i64::from(factor)).wrapping_add(signed_wide(product >> 32)), low_u32(product))
+    let carry = i64::from(high_word(low, factor));
+    (wide_times(high, factor).wrapping_add(carry), low.wrapping_mul(factor))
 }
 
 /// An exact sum of up to four products of two `i32`.
@@ -211,6 +229,8 @@ mod tests {
                     let n = a >> 1;
                     assert_eq!(halves_with_sign(k, n), i64::from(k) * i64::from(n), "{k} {n}");
                 }
+                let n = (i64::from(i) << 32) + i64::from(a ^ b);
+                assert_eq!(wide_by_halves(n, b), n.wrapping_mul(b.into()), "{n} {b}");
                 let (wide, factor) = (u64::from(a) << 32 | u64::from(b), b >> 16);
                 assert_eq!(wide_times_small(wide, factor), wide.wrapping_mul(factor.into()), "{wide} {factor}");
             }

@@ -58,8 +58,10 @@ use crate::{
     num::{
         cast::{index, low_u32, low_u8, signed, unsigned},
         recip::Divisor,
+        wide::{high_word, product},
     },
     pixel::{Channels, Palette},
+    tune::LONG_PRODUCTS,
 };
 
 /// A picture to take colours from, at any place: see the [module](self). A place is (u, v), in texels to the right and down.
@@ -226,13 +228,21 @@ fn from_centre(x: I16F16) -> (i32, u32) {
 #[inline(always)]
 fn mean<C: Channels>(colors: [C; 4], (right, down): (u32, u32)) -> C {
     let mix = |a: u32, b: u32| a.wrapping_mul(0x1_0000_u32.wrapping_sub(right)).wrapping_add(b.wrapping_mul(right));
-    let product = |a: u32, b: u32| u64::from(a).wrapping_mul(b.into());
     C::mixed(colors, |levels| {
         let [a, b, c, d] = levels.map(u32::from);
-        // Below 2^24 each, then 2^40.
+        // Below 2^24 each.
         let (upper, lower) = (mix(a, b), mix(c, d));
-        let sum = product(upper, 0x1_0000_u32.wrapping_sub(down)).wrapping_add(product(lower, down));
-        low_u8(low_u32(sum.wrapping_add(1 << 31) >> 32))
+        low_u8(if LONG_PRODUCTS {
+            // Below 2^40.
+            let sum = product(upper, 0x1_0000_u32.wrapping_sub(down)).wrapping_add(product(lower, down));
+            low_u32(sum.wrapping_add(1 << 31) >> 32)
+        } else {
+            // So much of the way from one to the other, in halves. What is cut off decides nothing, as half a level has fewer bits.
+            let way = lower.wrapping_sub(upper);
+            let low = (way & 0xffff).wrapping_mul(down) >> 16;
+            let part = unsigned(signed(way) >> 16).wrapping_mul(down).wrapping_add(low);
+            upper.wrapping_add(part).wrapping_add(1 << 15) >> 16
+        })
     })
 }
 
@@ -338,8 +348,8 @@ impl Period {
     #[inline(always)]
     fn rest(&self, i: i32) -> u32 {
         let n = unsigned(i).wrapping_add(self.bias);
-        let product = u64::from(n << 1).wrapping_mul(self.inverse.into());
-        n.wrapping_sub((low_u32(product >> 32) >> (self.shift & 31)).wrapping_mul(self.length))
+        let quotient = high_word(n << 1, self.inverse) >> (self.shift & 31);
+        n.wrapping_sub(quotient.wrapping_mul(self.length))
     }
 }
 

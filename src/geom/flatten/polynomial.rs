@@ -1,9 +1,9 @@
 //! [`Polynomial`]: one coordinate of a curve.
 
 use crate::num::{
-    cast::{low_u32, magnitude, narrow, saturate},
+    cast::{low_u32, magnitude, narrow, saturate, signed},
     round::difference,
-    wide::times,
+    wide::{signed_product, times, wide_times},
 };
 
 /// Times are in units of `2^-20`.
@@ -42,14 +42,14 @@ impl Polynomial {
     /// 31 bits.
     #[inline(always)]
     pub(super) fn small_bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = i64::from(narrow(self.a)).wrapping_mul(i64::from(time)) >> TIME_BITS;
+        let by_time = signed_product(narrow(self.a), signed(time)) >> TIME_BITS;
         narrow(self.b).wrapping_add(narrow(by_time)).wrapping_shr(down)
     }
 
     /// The same for any coefficients: the sum is below 2^36, and the product below 2^56, before they are shifted.
     #[inline(never)]
     pub(super) fn bend(&self, time: u32, down: u32) -> i32 {
-        let by_time = self.a.wrapping_mul(i64::from(time)) >> TIME_BITS;
+        let by_time = wide_times(self.a, time) >> TIME_BITS;
         saturate(self.b.wrapping_add(by_time).wrapping_shr(down))
     }
 
@@ -63,7 +63,7 @@ impl Polynomial {
     /// `3 a t + 2 b` is below 2^38, and times 2^20 it has 58 bits. Times t, and with the slope at the start, `c 2^40`, it has 80.
     #[cfg_attr(embedded_raster_compact, inline(never))]
     pub(super) fn slope(&self, t: u32) -> i64 {
-        let first = self.a.wrapping_mul(3).wrapping_mul(i64::from(t)).wrapping_add(self.b << (TIME_BITS + 1));
+        let first = wide_times(self.a.wrapping_mul(3), t).wrapping_add(self.b << (TIME_BITS + 1));
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
         let high = high.wrapping_add(self.c << (2 * TIME_BITS - 32));
         let slope = high << 16 | i64::from(low >> 16);
@@ -77,7 +77,7 @@ impl Polynomial {
     /// start to here: below 2^32, and 2^92 when times 2^60.
     #[inline(never)]
     pub(super) fn at(self, t: u32) -> i32 {
-        let first = self.a.wrapping_mul(i64::from(t)).wrapping_add(self.b << TIME_BITS);
+        let first = wide_times(self.a, t).wrapping_add(self.b << TIME_BITS);
         let (high, low) = times((first >> 32, low_u32(magnitude(first))), t);
         let (high, _) = times((high.wrapping_add(self.c << (2 * TIME_BITS - 32)), low), t);
         // The low word is dropped: it never changes what is rounded down here.

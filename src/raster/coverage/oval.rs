@@ -318,7 +318,8 @@ impl Oval {
         let bits = zeros.saturating_sub(25).min(BITS);
         // To the nearest step, where that is coarser.
         let scaled = |n: i64| {
-            let halves = if bits >= 8 { n << (bits.wrapping_sub(8) & 31) } else { n >> (8_u32.wrapping_sub(bits) & 31) };
+            let halves =
+                if bits >= 8 { n << (bits.wrapping_sub(8) & 31) } else { n >> (8_u32.wrapping_sub(bits) & 31) };
             halves.wrapping_add(1) >> 1
         };
         let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)).min(unsigned(i32::MAX)));
