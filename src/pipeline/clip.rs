@@ -24,6 +24,14 @@
 //! Places on the screen and depths are found from a position with more bits, which is not rounded before the division: where w is
 //! small, as it is on a plane close to the eye, half a unit of it would be pixels.
 //!
+//! **Once.** What is left of a triangle has up to nine corners, and is handed out as a fan of triangles. Corners have been rounded: of a
+//! needle, one may have got inside, or two long sides may cross, and some fans fold back over themselves. Rounding keeps the order
+//! of columns and of rows, so the outline still goes down once and up once, and a row crosses it twice: the pixels between are wound
+//! around once, this way or that. The triangles of *each* fan, fronts less backs, add up to these windings, so there are no cracks; a fold
+//! adds a front and a back to a pixel that has to be painted once or not at all. So the fan is taken that paints the fewest pixels, which
+//! is one that turns one way if there is one. Only where two sides cross between two pixels, each of them less than 1/128 pixel away
+//! from both sides and on another side of them, every fan may have a pixel in its fold: of 9,000,000 random needles 3 have one.
+//!
 //! Range: a di is below 2^45, so the weights of a corner between two planes are below 2^91, and their sum is below 2^93. Means of
 //! numbers of 32 bits take 125 bits, and a division of as many steps as their difference and what is behind the point have bits.
 //!
@@ -41,6 +49,8 @@ use super::{
 use crate::{
     geom::{space::Vec4, Mix, PointFx},
     num::cast::{signed, unsigned},
+    raster::triangle,
+    span::ClippedSpan,
 };
 
 /// Planes that cut.
@@ -122,38 +132,47 @@ pub(super) fn cut<V: Mix>(
         _ = (places.push(corner.projected.place), polygon.push(corner));
         line = next;
     }
-    let Some((before, from)) = polygon.split_at_checked(apex(&places)) else { return };
-    let Some((&first, after)) = from.split_first() else { return };
-    let mut second = None;
-    for &third in after.iter().chain(before) {
-        if let Some(second) = second {
-            piece(&[first, second, third]);
+    let mut fan = |[a, b, c]: [usize; 3]| {
+        if let (Some(a), Some(b), Some(c)) = (polygon.get(a), polygon.get(b), polygon.get(c)) {
+            piece(&[*a, *b, *c]);
         }
-        second = Some(third);
-    }
+    };
+    fan_from(apex(screen, &places), places.len()).for_each(&mut fan);
 }
 
 /// Places of the corners of what is left.
 type Places = Vec<PointFx, { LINES as usize }>;
 
-/// A corner from which a fan of triangles is what is left of the triangle: all of them turn the same way.
+/// The corners of the triangles of a fan, by their numbers.
+#[inline(always)]
+fn fan_from(apex: usize, corners: usize) -> impl Iterator<Item = [usize; 3]> {
+    let around = move |i: usize| {
+        let at = apex.wrapping_add(i);
+        at.checked_sub(corners).unwrap_or(at)
+    };
+    (2..corners).map(move |i| [apex, around(i.wrapping_sub(1)), around(i)])
+}
+
+/// The corner from which a fan of triangles paints the fewest pixels.
 ///
-/// From each corner of a convex polygon there is one. But each place has been rounded: of a thin polygon one corner may have got
-/// inside, and only the fan from there does not overlap. If there is none, it is the first corner.
+/// From each corner of a convex polygon a fan has the same ones. But each place has been rounded: see the [module](self).
 #[inline(never)]
-fn apex(places: &Places) -> usize {
-    let is_one_way = |apex: usize| {
-        let Some((before, from)) = places.split_at_checked(apex) else { return false };
-        let Some((&first, after)) = from.split_first() else { return false };
-        let (mut second, mut ways) = (first, 0);
-        for &third in after.iter().chain(before) {
-            let turn = turn([first, second, third]);
-            ways |= u32::from(turn < 0) << 1 | u32::from(turn > 0);
-            second = third;
-        }
+fn apex(screen: Screen, places: &Places) -> usize {
+    let corner = |i: usize| places.get(i).copied().unwrap_or_default();
+    let fan = |apex: usize| fan_from(apex, places.len()).map(|places| places.map(corner));
+    let is_one_way = |&apex: &usize| {
+        let ways = fan(apex).map(turn).fold(0, |ways, turn| ways | u32::from(turn < 0) << 1 | u32::from(turn > 0));
         ways != 3
     };
-    (0..places.len()).find(|&apex| is_one_way(apex)).unwrap_or(0)
+    let pixels = |&apex: &usize| {
+        let mut pixels = 0_u32;
+        for corners in fan(apex) {
+            triangle::fill(corners, screen.window(), |span: ClippedSpan| pixels = pixels.wrapping_add(span.len()));
+        }
+        pixels
+    };
+    let all = 0..places.len();
+    all.clone().find(is_one_way).or_else(|| all.min_by_key(pixels)).unwrap_or(0)
 }
 
 /// The corner between two lines, with all that belongs to it.

@@ -7,6 +7,7 @@ use crate::{
         cast::{magnitude, saturate},
         divisor::WideDivisor,
     },
+    span::Rect,
 };
 
 /// The picture: its size in pixels.
@@ -22,6 +23,11 @@ impl Screen {
     /// How far from the middle of the picture a corner may lie, in half pixels: what a [`Facet`](crate::geom::Facet) may have, half
     /// of it each way, in both directions, less what rounding and the pixels around a line may add.
     pub(super) const GUARD: i64 = 6_140;
+
+    /// Its pixels.
+    pub(super) fn window(self) -> Rect {
+        Rect::new(0, 0, self.width.into(), self.height.into())
+    }
 
     /// A vertex in the guard band, projected.
     #[inline(always)]

@@ -171,6 +171,52 @@ fn neighbours_share_what_is_cut() {
     assert!(both as usize > cases(20_000) / 100, "{both} pairs");
 }
 
+/// Corners of a needle: the third one close to the line through the others, between them or beyond.
+fn needle(rng: &mut Rng) -> [Vec4; 3] {
+    let [a, b] = [(); 2].map(|()| crate::stages::corner(rng).to_bits());
+    let whole = rng.pick(&[256, 65_536, 1 << 20, 1 << 24]);
+    let part = i64::from(rng.int(-2 * whole, 3 * whole));
+    let wide = rng.pick(&[0, 1, 3, 20, 300, 5_000]);
+    let c = core::array::from_fn(|i| {
+        let (a, b) = (i64::from(a[i]), i64::from(b[i]));
+        let on_line = a + (b - a) * part / i64::from(whole);
+        (on_line + i64::from(rng.int(-wide, wide))).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+    });
+    [a, b, c].map(Vec4::from_bits)
+}
+
+/// What is left of a needle is thinner than a place is rounded: its sides may cross, and still a pixel is painted once.
+#[test]
+fn needles_that_are_cut_are_painted_once() {
+    let mut rng = Rng::new(36);
+    let picked = [
+        // Two sides cross, and the fan from the first one of four corners folds over a pixel.
+        [
+            [1_879_231, 311_609, 3_224_090, 3_257_918],
+            [-12_023, 9_280, 212_421, 34_052],
+            [-1_839_194_108, 376_119_246, 346_008_660, 673_747_395],
+        ],
+        [[7_103, 36_184, 6_020, 22_749], [-82_790, -1_830_595, 1_687_318, 1_883_452], [31, 23, 45_012, 55]],
+        [[43_624, 49_305, 91_873, 103_483], [2_299, -2_422, 39_068, -5_427], [-49_938, 90_176, 55_573, 197_460]],
+        // One of five corners.
+        [
+            [3_797_592, -207_440, 3_227_860, -267_626],
+            [-1_058_653, -1_544_831, 195_241, 2_058_192],
+            [-3_820_551, -2_305_146, -1_529_221, 3_380_922],
+        ],
+    ];
+    let random = (0..cases(60_000)).map(|_| needle(&mut rng));
+    let mut twice = 0;
+    for corners in picked.map(|needle| needle.map(Vec4::from_bits)).into_iter().chain(random) {
+        let (fronts, backs) = seen([corners].into_iter());
+        let is_single = |hits: &Hits| hits.0.iter().all(|&n| n <= 1);
+        assert!(is_single(&fronts) && is_single(&backs), "{corners:?}");
+        twice += u32::from(fronts.0.iter().zip(&backs.0).any(|(front, back)| front + back > 1));
+    }
+    // One in millions has a pixel in the fold of every fan.
+    assert!(twice as usize <= cases(60_000) / 500_000, "{twice} needles have a pixel twice");
+}
+
 /// Which way a triangle turns that lies before the eye: the sign of a determinant.
 fn turn(corners: [Vec4; 3]) -> i128 {
     let [a, b, c] = corners.map(|at| {
