@@ -34,6 +34,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Surface::write_span_inside", "the same"),
     ("Surface::write_few_inside", "the same"),
     ("Surface::write_rows_inside", "the same"),
+    ("Surface::write_parts_inside", "the same"),
     ("Brush::new", "`Canvas::paint` makes one"),
     ("Cut", "not to be named outside of the crate; strokes call it"),
     ("Outline", "the same"),

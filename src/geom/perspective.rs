@@ -610,12 +610,14 @@ impl<V: Numbers> Varying for Perspective<V> {
     }
 }
 
-/// The distance at the first pixel of an even run, the values at one of its pixels, and both where the next run begins.
+/// The distance at the first pixel of an even run, the values at one of its pixels, both where the next run begins, and how far to the
+/// right that is.
 #[derive(Copy, Clone, Debug)]
 pub struct EvenRun<E, F> {
     w: I16F16,
     values: E,
     next: (I16F16, F),
+    right: u32,
 }
 
 impl<V: Numbers, const N: u32> Runs<V, N> {
@@ -634,8 +636,9 @@ impl<V: Numbers, const N: u32> Runs<V, N> {
         pixels: u32,
     ) -> EvenRun<V::Even, V::End> {
         let steps = slopes.reach.min(pixels.wrapping_sub(1));
-        let next = Self::end(slopes, (right.wrapping_add(steps), down));
-        EvenRun { w, values: V::even(end, next.1, part_of(steps)), next }
+        let right = right.wrapping_add(steps);
+        let next = Self::end(slopes, (right, down));
+        EvenRun { w, values: V::even(end, next.1, part_of(steps)), next, right }
     }
 }
 
@@ -673,8 +676,8 @@ impl<V: Numbers, const N: u32> Varying for Runs<V, N> {
     }
 
     #[inline(always)]
-    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, pixel: Pixel, pixels: u32) {
-        *run = Self::from(slopes, run.next, pixel, pixels);
+    fn go_on(slopes: &Self::Slopes, run: &mut Self::Run, (_, down): Pixel, pixels: u32) {
+        *run = Self::from(slopes, run.next, (run.right, down), pixels);
     }
 
     #[inline(always)]

@@ -184,18 +184,15 @@ impl<V: Varying, F> Shade<V, F> {
     {
         let Self { rows, color } = self;
         rows.go_to(span.y());
-        let (mut run, mut rest) = (rows.run(span.x0(), span.len()), false);
-        span.parts(rows.reach(), |part| {
-            if core::mem::replace(&mut rest, true) {
-                rows.go_on(&mut run, (part.x0(), part.y()), unsigned(span.x1().wrapping_sub(part.x0())));
-            }
-            let mut at = run;
-            on.write_span_inside(Inside(Said::Span(part)), |_| {
-                let value = V::value(&at);
-                V::step(&mut at);
-                color(value)
-            });
-            run = at;
+        let run = rows.run(span.x0(), span.len());
+        let go_on = |run: &mut V::Run, rest| {
+            let x = span.x1().wrapping_sub_unsigned(rest);
+            rows.go_on(run, (x, span.y()), rest);
+        };
+        on.write_parts_inside(Inside(Said::Span(span)), rows.reach(), run, go_on, |run| {
+            let value = V::value(run);
+            V::step(run);
+            color(value)
         });
     }
 }

@@ -13,7 +13,7 @@ use super::{
     traits::{copy_by_pixels, Inside, InsideRows, Readable, Said, Surface},
 };
 use crate::{
-    num::cast::index,
+    num::cast::{index, low_u32},
     pixel::{rows::strip::Pairs, PixelFormat},
     span::{ClippedSpan, Octants, Rect, SoftRow, Steps},
     tune::COMPACT,
@@ -112,6 +112,22 @@ impl<M: AsMut<[u8]>, L: Layout> Surface for Frame<M, L> {
             x = x.wrapping_add(1);
             color
         });
+    }
+
+    #[inline(always)]
+    fn write_parts_inside<R: Copy>(
+        &mut self,
+        what: Inside,
+        most: u32,
+        run: R,
+        mut go_on: impl FnMut(&mut R, u32),
+        color_at: impl FnMut(&mut R) -> L::Color,
+    ) {
+        let Said::Span(span) = what.0 else { return };
+        let (y, columns) = (self.y(span.y()), self.columns(span));
+        let (memory, grid) = self.write();
+        let go_on = |run: &mut R, rest: usize| go_on(run, low_u32(rest as u64));
+        L::write_parts(memory, grid, y, columns, (most as usize, run), go_on, color_at);
     }
 
     #[inline(always)]

@@ -161,6 +161,22 @@ pub trait Layout: 'static {
         Self::write_span(memory, grid, y, columns, next);
     }
 
+    /// [`write_span`](Self::write_span) in parts of `most` pixels and a last one of as many or fewer: the first one is what `next` makes
+    /// of `run`. When a part is done, `go_on` takes the run to the next one, and is told how many pixels are left.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_parts<R: Copy>(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        (most, run): (usize, R),
+        go_on: impl FnMut(&mut R, usize),
+        mut next: impl FnMut(&mut R) -> Self::Color,
+    ) {
+        each_part(columns, most, run, go_on, |part, run| Self::write_span(memory, grid, y, part, || next(run)));
+    }
+
     /// Writes few pixels in each of some rows that follow each other, from row y on. Of each row, `spans` has how far they are to the right
     /// of column x, and how many they are, which may be none. `start` is given the former, and answers with what `next` makes colours of,
     /// from left to right.
@@ -390,5 +406,28 @@ pub trait Layout: 'static {
     #[inline(always)]
     fn pairs(_on: Self::Color, _off: Self::Color) -> Pairs {
         Pairs::default()
+    }
+}
+
+/// Calls `write` with the parts of some columns, which are not empty, from left to right: of `most` pixels, but for the last one. The first
+/// one is made of `run`; when a part is done, `go_on` takes the run to the next one, and is told how many pixels are left.
+#[inline(always)]
+pub(super) fn each_part<R: Copy>(
+    (mut x0, x1): (usize, usize),
+    most: usize,
+    mut run: R,
+    mut go_on: impl FnMut(&mut R, usize),
+    mut write: impl FnMut((usize, usize), &mut R),
+) {
+    loop {
+        let end = x1.min(x0.saturating_add(most));
+        // A copy, which has registers.
+        let mut at = run;
+        write((x0, end), &mut at);
+        if end >= x1 {
+            return;
+        }
+        (x0, run) = (end, at);
+        go_on(&mut run, x1.wrapping_sub(x0));
     }
 }

@@ -4,7 +4,7 @@ use core::{marker::PhantomData, ops::Range};
 
 use super::{
     frame::Frame,
-    layout::{Grid, Layout, Place},
+    layout::{each_part, Grid, Layout, Place},
 };
 use crate::{
     pixel::{
@@ -150,6 +150,23 @@ impl<F: PixelFormat> Layout for Rows<F> {
             return Self::write_span(memory, grid, y, columns, next);
         }
         rows::write::<F>(memory, start(grid, y), columns, || Some(F::pack(next())));
+    }
+
+    #[inline(always)]
+    fn write_parts<R: Copy>(
+        memory: &mut [u8],
+        grid: Grid,
+        y: usize,
+        columns: (usize, usize),
+        (most, run): (usize, R),
+        go_on: impl FnMut(&mut R, usize),
+        mut next: impl FnMut(&mut R) -> F::Color,
+    ) {
+        if F::BITS < 8 {
+            each_part(columns, most, run, go_on, |part, run| Self::write_span(memory, grid, y, part, || next(run)));
+        } else {
+            rows::write_parts::<F, R>(memory, (start(grid, y), columns), most, run, go_on, |run| F::pack(next(run)));
+        }
     }
 
     #[inline(always)]

@@ -10,7 +10,7 @@ use super::{
     strip::{Ready, Strip},
 };
 use crate::{
-    num::cast::index,
+    num::cast::{index, unsigned},
     pixel::{
         rows::{mask::one_by_one, strip::Pairs},
         PixelFormat,
@@ -152,6 +152,31 @@ pub trait Surface {
         Self: Sized,
     {
         self.write_span_inside(what, color_at);
+    }
+
+    /// The same in parts of `most` pixels and a last one of as many or fewer. The first one begins with `run`; when a part is done,
+    /// `go_on` takes the run to the next one, and is told how many pixels are left.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn write_parts_inside<R: Copy>(
+        &mut self,
+        what: Inside,
+        most: u32,
+        mut run: R,
+        mut go_on: impl FnMut(&mut R, u32),
+        mut color_at: impl FnMut(&mut R) -> Self::Color,
+    ) where
+        Self: Sized,
+    {
+        let Said::Span(span) = what.0 else { return };
+        span.parts(most, |part| {
+            if part.x0() != span.x0() {
+                go_on(&mut run, unsigned(span.x1().wrapping_sub(part.x0())));
+            }
+            let mut at = run;
+            self.write_span_inside(Inside(Said::Span(part)), |_| color_at(&mut at));
+            run = at;
+        });
     }
 
     /// The same in rows that follow each other. `start` is given what each row has, and answers with what its colours are made of, from

@@ -5,11 +5,12 @@ use embedded_graphics_core::{
     pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb888, RgbColor},
 };
 use embedded_raster::{
-    geom::{Fast, Varying},
+    geom::{Facet, Fast, Plane, Runs, Varying},
     pixel::{Be, Lsb0, Rgb444, Xrgb8888},
     surface::{Grid, Packed12, Pages, Rows},
-    Canvas, Frame, Index1, Index2, Index4, Index8, Layout, PointFx, Rect,
+    Canvas, ClippedSpan, Frame, Index1, Index2, Index4, Index8, Layout, PointFx, Rect,
 };
+use fixed::types::I16F16;
 use twins::{
     corners, planes,
     rng::{cases, Rng},
@@ -107,6 +108,49 @@ fn levels_on_every_layout() {
     levels::<Rows<Be<Xrgb8888>>>(11, |n| Xrgb8888::new(n, 255 - n, n / 2));
     levels::<Packed12>(12, |n| Rgb444::new(n >> 4, 15 - (n >> 4), 3));
     levels::<Pages<Index1>>(13, |n| Index1::new(n >> 7));
+}
+
+/// Rows in several runs: each begins where the one before it ends, as those of a plane do.
+fn runs<L: Layout, const N: u32>(seed: u64, color: impl Fn(u8) -> L::Color)
+where
+    L::Color: core::fmt::Debug,
+{
+    let mut rng = Rng::new(seed);
+    for _ in 0..cases(200) {
+        let (units, near) = (triangle(&mut rng), rng.int(1, 70_000));
+        let values = [(); 3].map(|()| {
+            let w = I16F16::from_bits(rng.int(near, 4 * near));
+            Runs::<u8, N> { w, value: rng.int(0, 255) as u8 }
+        });
+        let mut ram = vec![0; bytes::<L>(SIZE.1)];
+        let mut frame = Frame::<_, L>::new(&mut ram[..], SIZE.0, SIZE.1).unwrap();
+        frame.clear(color(0));
+        frame.shade_triangle_fx(corners(units), values, |at| color(at.value)).unwrap();
+        let plane = Plane::new(&Facet::new(corners(units)).unwrap(), values);
+        let mut wanted = vec![0; 45 * 32];
+        embedded_raster::raster::triangle::fill(corners(units), Rect::new(0, 0, 45, 32), |span: ClippedSpan| {
+            let mut places = wanted[(span.y() * 45 + span.x0()) as usize..].iter_mut();
+            plane.each(span.x0(), span.y(), span.len(), |at| *places.next().unwrap() = at.value);
+        });
+        for (x, y) in (0..32).flat_map(|y| (0..45).map(move |x| (x, y))) {
+            let right = color(wanted[(y * 45 + x) as usize]);
+            assert_eq!(frame.get(Point::new(x, y)), Some(right), "{units:?} {values:?} at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn runs_on_every_layout() {
+    runs::<Rows<Lsb0<BinaryColor>>, 16>(40, |n| BinaryColor::from(n >= 128));
+    runs::<Rows<Index4>, 5>(41, |n| Index4::new(n >> 4));
+    runs::<Rows<Gray8>, 2>(42, Gray8::new);
+    runs::<Rows<Gray8>, 7>(43, Gray8::new);
+    runs::<Rows<Rgb565>, 16>(44, |n| Rgb565::new(n >> 3, n >> 2, 31 - (n >> 3)));
+    runs::<Rows<Be<Rgb565>>, 3>(45, |n| Rgb565::new(n >> 3, n >> 2, 31 - (n >> 3)));
+    runs::<Rows<Rgb888>, 8>(46, |n| Rgb888::new(n, 255 - n, n / 2));
+    runs::<Rows<Be<Xrgb8888>>, 64>(47, |n| Xrgb8888::new(n, 255 - n, n / 2));
+    runs::<Packed12, 4>(48, |n| Rgb444::new(n >> 4, 15 - (n >> 4), 3));
+    runs::<Pages<Index1>, 9>(49, |n| Index1::new(n >> 7));
 }
 
 #[test]

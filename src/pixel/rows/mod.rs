@@ -164,6 +164,22 @@ pub(crate) fn write_all<F: PixelFormat>(
     }
 }
 
+/// The same where pixels take whole bytes, in parts of `most` pixels and a last one of as many or fewer: what `next` makes of a run. When
+/// a part is done, `go_on` takes the run to the next one, and is told how many pixels are left.
+#[inline(always)]
+pub(crate) fn write_parts<F: PixelFormat, R: Copy>(
+    memory: &mut [u8],
+    (row, (x0, x1)): (usize, (usize, usize)),
+    most: usize,
+    run: R,
+    go_on: impl FnMut(&mut R, usize),
+    next: impl FnMut(&mut R) -> u32,
+) {
+    if let Some(pixels) = memory.get_mut(byte::<F>(row, x0)..byte::<F>(row, x1)) {
+        word::write_parts::<F, R>(pixels, most, run, go_on, next);
+    }
+}
+
 /// Writes the pixels `x0..x1`, which are not empty, from left to right: what `next` gives, or nothing where that is `None`.
 #[inline(always)]
 pub(crate) fn write<F: PixelFormat>(

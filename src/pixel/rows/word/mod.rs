@@ -28,7 +28,7 @@ use self::three::fill_span24;
 pub(super) use self::{
     chosen::{copy_rows, fill_rows, fill_span},
     parts::each_row,
-    pixels::{copy_keyed, edit, get, mix, nth, set, three, write, write_all, write_rows},
+    pixels::{copy_keyed, edit, get, mix, nth, set, three, write, write_all, write_parts, write_rows},
 };
 
 /// A word full of pixels, for the formats that repeat in one.

@@ -174,6 +174,53 @@ fn in_fours<T>(mut pixels: &mut [T], mut next: impl FnMut() -> T) {
     }
 }
 
+/// Writes pixels in parts: see [`rows::write_parts`](crate::pixel::rows::write_parts).
+#[inline(always)]
+pub(in crate::pixel::rows) fn write_parts<F: PixelFormat, R: Copy>(
+    pixels: &mut [u8],
+    most: usize,
+    run: R,
+    go_on: impl FnMut(&mut R, usize),
+    mut next: impl FnMut(&mut R) -> u32,
+) {
+    match F::BITS {
+        8 => in_parts(pixels, most, run, go_on, |run| low_u8(next(run))),
+        16 => {
+            if HALVES {
+                if let ([], halves, []) = pod_align_to_mut::<u8, u16>(pixels) {
+                    return in_parts(halves, most, run, go_on, |run| low_u16(next(run)).to_le());
+                }
+            }
+            let pixels = pod_align_to_mut::<u8, [u8; 2]>(pixels).1;
+            in_parts(pixels, most, run, go_on, |run| low_u16(next(run)).to_le_bytes());
+        }
+        24 => in_parts(pod_align_to_mut::<u8, [u8; 3]>(pixels).1, most, run, go_on, |run| three(next(run))),
+        _ => in_parts(pod_align_to_mut::<u8, [u8; 4]>(pixels).1, most, run, go_on, |run| next(run).to_le_bytes()),
+    }
+}
+
+/// The same for pixels of one type.
+#[inline(always)]
+fn in_parts<R: Copy, T>(
+    mut pixels: &mut [T],
+    most: usize,
+    mut run: R,
+    mut go_on: impl FnMut(&mut R, usize),
+    mut next: impl FnMut(&mut R) -> T,
+) {
+    while let Some((part, rest)) = pixels.split_at_mut_checked(most.min(pixels.len())) {
+        // A copy, which has registers.
+        let mut at = run;
+        in_fours(part, || next(&mut at));
+        if rest.is_empty() {
+            return;
+        }
+        run = at;
+        go_on(&mut run, rest.len());
+        pixels = rest;
+    }
+}
+
 /// Writes a run from left to right: what `next` gives, or nothing where that is `None`. One store a pixel.
 #[inline(always)]
 pub(in crate::pixel::rows) fn write<F: PixelFormat>(run: &mut [u8], mut next: impl FnMut() -> Option<u32>) {
