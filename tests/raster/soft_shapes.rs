@@ -158,6 +158,21 @@ fn ellipses_of_all_radii_cover_what_lies_in_their_curves() {
     assert!(worst[..=30].iter().all(|&worst| worst <= 2.5) && worst[31] <= 4.5, "{worst:?}");
 }
 
+/// Thinner than the steps that the largest radii are measured in: the pixel of the centre is covered as little as those beside it.
+#[test]
+fn the_thinnest_ellipses_are_thin_in_the_middle() {
+    let window = Rect::new(-8, -8, 9, 9);
+    for (long, thin) in [(1 << 30, 1), (1_248_605_466, 2), (i32::MAX, 3), (i32::MAX, 7), (1 << 28, 1), (1 << 20, 1)] {
+        for (rx, ry) in [(long, thin), (thin, long)] {
+            let middle = PointFx::from_bits(45, 106);
+            let ellipse = Ellipse::new(middle, I24F8::from_bits(rx), I24F8::from_bits(ry));
+            let got = told(window, |_, _, levels| coverage::ellipse(ellipse, window, levels));
+            let most = got.levels.iter().max().copied().unwrap_or(0);
+            assert!(i32::from(most) <= 2 * thin + 4, "{ellipse:?}\n{}", got.picture());
+        }
+    }
+}
+
 /// Boxes as large as the type allows: the middle is full, also up to the ends of the axes, and the corners are empty.
 #[test]
 fn ellipses_in_endless_boxes_have_a_middle_and_corners() {

@@ -316,13 +316,16 @@ impl Oval {
         // They come in 1/512 pixel, below 2^42.
         let zeros = signed_wide(magnitude(radii.0.max(radii.1))).leading_zeros();
         let bits = zeros.saturating_sub(25).min(BITS);
-        // To the nearest step, where that is coarser.
+        // To the nearest step. Where a pixel is one, downwards: a box of pixels stays within its sides.
+        let half = if bits > 0 { 256 >> (bits & 31) } else { 0 };
         let scaled = |n: i64| {
-            let halves =
-                if bits >= 8 { n << (bits.wrapping_sub(8) & 31) } else { n >> (8_u32.wrapping_sub(bits) & 31) };
-            halves.wrapping_add(1) >> 1
+            if bits >= 9 {
+                n << (bits.wrapping_sub(9) & 31)
+            } else {
+                n.wrapping_add(half) >> (9_u32.wrapping_sub(bits) & 31)
+            }
         };
-        let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)).min(unsigned(i32::MAX)));
+        let [rx, ry] = [radii.0, radii.1].map(|n| distance(scaled(n)));
         let (large, small) = (rx.max(ry), NonZeroU32::new(rx.min(ry))?);
         let stretch = if rx == ry { None } else { Stretch::new(large, small) };
         let bulge = Bulge::new(stretch, rx >= ry, small, BITS.wrapping_sub(bits));
