@@ -180,38 +180,44 @@ pub(in crate::pixel::rows) fn write_parts<F: PixelFormat, R: Copy>(
     pixels: &mut [u8],
     most: usize,
     run: R,
-    go_on: impl FnMut(&mut R, usize),
+    mut go_on: impl FnMut(&mut R, usize),
     mut next: impl FnMut(&mut R) -> u32,
 ) {
     match F::BITS {
-        8 => in_parts(pixels, most, run, go_on, |run| low_u8(next(run))),
-        16 => {
-            if HALVES {
-                if let ([], halves, []) = pod_align_to_mut::<u8, u16>(pixels) {
-                    return in_parts(halves, most, run, go_on, |run| low_u16(next(run)).to_le());
-                }
-            }
-            let pixels = pod_align_to_mut::<u8, [u8; 2]>(pixels).1;
-            in_parts(pixels, most, run, go_on, |run| low_u16(next(run)).to_le_bytes());
+        8 => in_parts(pixels, most, run, go_on, |part, run| in_fours(part, || low_u8(next(run)))),
+        // One place from which it goes on, which may be long, for both kinds of addresses.
+        16 if HALVES => {
+            let go_on = |run: &mut R, bytes: usize| go_on(run, bytes / 2);
+            in_parts(pixels, most.wrapping_mul(2), run, go_on, |part, run| write_all::<F>(part, || next(run)));
         }
-        24 => in_parts(pod_align_to_mut::<u8, [u8; 3]>(pixels).1, most, run, go_on, |run| three(next(run))),
-        _ => in_parts(pod_align_to_mut::<u8, [u8; 4]>(pixels).1, most, run, go_on, |run| next(run).to_le_bytes()),
+        16 => {
+            let pixels = pod_align_to_mut::<u8, [u8; 2]>(pixels).1;
+            in_parts(pixels, most, run, go_on, |part, run| in_fours(part, || low_u16(next(run)).to_le_bytes()));
+        }
+        24 => {
+            let pixels = pod_align_to_mut::<u8, [u8; 3]>(pixels).1;
+            in_parts(pixels, most, run, go_on, |part, run| in_fours(part, || three(next(run))));
+        }
+        _ => {
+            let pixels = pod_align_to_mut::<u8, [u8; 4]>(pixels).1;
+            in_parts(pixels, most, run, go_on, |part, run| in_fours(part, || next(run).to_le_bytes()));
+        }
     }
 }
 
-/// The same for pixels of one type.
+/// The same for parts that `write` writes.
 #[inline(always)]
 fn in_parts<R: Copy, T>(
     mut pixels: &mut [T],
     most: usize,
     mut run: R,
     mut go_on: impl FnMut(&mut R, usize),
-    mut next: impl FnMut(&mut R) -> T,
+    mut write: impl FnMut(&mut [T], &mut R),
 ) {
     while let Some((part, rest)) = pixels.split_at_mut_checked(most.min(pixels.len())) {
         // A copy, which has registers.
         let mut at = run;
-        in_fours(part, || next(&mut at));
+        write(part, &mut at);
         if rest.is_empty() {
             return;
         }
