@@ -39,7 +39,7 @@ use super::{
 use crate::num::{
     cast::{low_u16, low_u32, low_u8, saturate, signed, signed_wide, unsigned},
     recip::{reciprocal, Divisor},
-    wide::{product, wide_times_small},
+    wide::{high_word, product, wide_times_small},
 };
 
 /// A value, and how far away it is: changes over a triangle as it does in space, and is exact at every pixel. See the
@@ -143,12 +143,6 @@ const fn whole(n: u64) -> u32 {
     low_u32(n >> 32)
 }
 
-/// The high word of a product.
-#[inline(always)]
-fn high(a: u32, b: u32) -> u32 {
-    whole(product(a, b))
-}
-
 /// The reciprocal of a nearness d: `2^32 + v` is `floor((2^64 - 1) / (2^shift d))`.
 #[derive(Copy, Clone, Debug)]
 pub struct Inverse {
@@ -169,7 +163,7 @@ impl Inverse {
     #[inline(always)]
     fn part(self, share: u64) -> u32 {
         let n = whole(share) << (self.shift & 31);
-        n.wrapping_add(high(n, self.v))
+        n.wrapping_add(high_word(n, self.v))
     }
 
     /// The distance that belongs to the nearness, where `least` belongs to 2^30.
@@ -241,7 +235,10 @@ impl ShareRun {
     /// The nearest value, halves upwards, modulo 2^32.
     #[inline(always)]
     fn value(&self, inverse: Inverse) -> u32 {
-        self.base.wrapping_add(whole(self.above(inverse)))
+        let part = inverse.part(self.at);
+        // The highest bit of the low word is the half.
+        let above = high_word(part, self.range).wrapping_add(part.wrapping_mul(self.range) >> 31);
+        self.base.wrapping_add(above)
     }
 
     #[inline(always)]
@@ -286,7 +283,7 @@ fn part_of(steps: u32) -> u32 {
 fn gain(from: u64, to: u64, part: u32) -> u64 {
     let falls = to < from;
     let way = if falls { from.wrapping_sub(to) } else { to.wrapping_sub(from) };
-    let gain = product(whole(way), part).wrapping_add(high(low_u32(way), part).into());
+    let gain = product(whole(way), part).wrapping_add(high_word(low_u32(way), part).into());
     if falls {
         gain.wrapping_neg()
     } else {
@@ -298,9 +295,9 @@ fn gain(from: u64, to: u64, part: u32) -> u64 {
 #[inline(always)]
 fn whole_gain(from: u32, to: u32, part: u32) -> i32 {
     if to < from {
-        signed(high(from.wrapping_sub(to), part)).wrapping_neg()
+        signed(high_word(from.wrapping_sub(to), part)).wrapping_neg()
     } else {
-        signed(high(to.wrapping_sub(from), part))
+        signed(high_word(to.wrapping_sub(from), part))
     }
 }
 
