@@ -123,7 +123,7 @@ fn lines_are_those_of_the_rules() {
             },
         );
     }
-    assert!(seen > cases(20_000) && cut <= cases(10).max(5), "{seen} pixels, {cut} places one off");
+    assert!(seen > cases(20_000) && cut as usize <= cases(10).max(5), "{seen} pixels, {cut} places one off");
 }
 
 /// Bands show what the whole shows: lines and points, colours and depths alike.
