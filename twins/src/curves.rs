@@ -94,6 +94,26 @@ impl Part {
         self.way(to, true)
     }
 
+    /// When it has gone so far, in 2^-20 pixel.
+    pub fn time_at(&self, mut s: i128) -> i128 {
+        let (mut from, mut to) = (self.from, self.to);
+        while to - from > 1 {
+            let middle = i128::midpoint(from, to);
+            let length = Self { points: self.points.clone(), from, to: middle }.length();
+            if s <= length {
+                to = middle;
+            } else {
+                (from, s) = (middle, s - length);
+            }
+        }
+        from
+    }
+
+    /// The point at a time.
+    pub fn point(&self, time: i128) -> Units {
+        point(&self.points, time)
+    }
+
     /// How long it is, in 2^-20 pixel: by its speed at the three times of Gauss's rule.
     pub fn length(&self) -> i128 {
         let h = self.to - self.from;
@@ -109,10 +129,10 @@ impl Part {
             let zeros = longer.ilog2();
             let scaled = |n: i128| if zeros > 30 { n.abs() >> (zeros - 30) } else { n.abs() << (30 - zeros) };
             let length = (scaled(slope.0).pow(2) + scaled(slope.1).pow(2)).isqrt();
-            (length * h) >> (63 - zeros - 1)
+            (((length * h) >> (63 - zeros - 2)) + 1) >> 1
         });
         // 2^32 / 18.
-        ((5 * (a + c) + 8 * b) * 238_609_294) >> 32
+        ((5 * (a + c) + 8 * b + 9) * 238_609_294) >> 32
     }
 
     /// One coordinate as `((a t + b) t + c) t + d`, without d.

@@ -224,6 +224,7 @@ impl Pen {
             };
         }
         let ends = if outline.closed { Ends::Joined } else { Ends::Capped };
+        let sides: Vec<Side> = sides.iter().flat_map(|side| side.turned(self.width)).collect();
         self.run(&sides, ends)
     }
 
@@ -289,6 +290,20 @@ pub struct Side {
     pub smooth: bool,
     /// What it is of a curve.
     pub part: Option<Part>,
+    /// Whether it is so short that what it turns by has to be looked at.
+    pub is_tiny: bool,
+    /// How long the parts of curves are that came before it, and ended where they started.
+    pub still: i128,
+}
+
+impl Side {
+    /// The same in sides that can be drawn.
+    fn turned(&self, width: i32) -> Vec<Self> {
+        match &self.part {
+            Some(part) if self.is_tiny => turn(part, (self.a, self.b), self.smooth, width),
+            _ => vec![self.clone()],
+        }
+    }
 }
 
 /// Whether a side is so short, beside the width of its stroke, that what it turns by has to be looked at.
@@ -297,19 +312,23 @@ fn is_tiny(a: Units, b: Units, width: i32) -> bool {
     x.abs().max(y.abs()).pow(2) <= 4 * i128::from(width)
 }
 
-/// The sides of a contour that have a length, and those where a curve turns. At a place given several times the path is smooth if it is
-/// each time.
+/// The sides of a contour that have a length, and those where a curve turns, with ways that mean nothing. At a place given several times
+/// the path is smooth if it is each time.
 pub fn sides(outline: &Outline, width: i32) -> Vec<Side> {
     let (Some(&start), Some(&smooth)) = (outline.places.first(), outline.smooth.first()) else { return vec![] };
-    let (mut all, mut last) = (vec![], (start, smooth));
+    let (mut all, mut last, mut still) = (vec![], (start, smooth), 0);
     for (i, (&b, &smooth)) in outline.places.iter().zip(&outline.smooth).enumerate().skip(1) {
         let (a, part) = (last.0, outline.parts.get(i).and_then(Option::as_ref));
         match part {
             Some(part) if width > THIN && is_tiny(a, b, width) && (a != b || part.way(0, false) != (0, 0)) => {
-                all.extend(turn(part, (a, b), last.1, width));
+                let (part, still) = (Some(part.clone()), std::mem::take(&mut still));
+                all.push(Side { a, b, ways: [(ONE, 0); 2], smooth: last.1, part, is_tiny: true, still });
                 last = (b, smooth);
             }
-            _ if a == b => last.1 &= smooth,
+            _ if a == b => {
+                last.1 &= smooth;
+                still += part.map_or(0, Part::length);
+            }
             _ => {
                 let chord = direction(a, b);
                 let way = |part: &Part, (time, before): (i128, bool)| match part.way(time, before) {
@@ -318,14 +337,15 @@ pub fn sides(outline: &Outline, width: i32) -> Vec<Side> {
                     way => direction_of(way),
                 };
                 let ways = part.map_or([chord; 2], |part| [(part.from, false), (part.to, true)].map(|t| way(part, t)));
-                all.push(Side { a, b, ways, smooth: last.1, part: part.cloned() });
+                let (part, still) = (part.cloned(), std::mem::take(&mut still));
+                all.push(Side { a, b, ways, smooth: last.1, part, is_tiny: false, still });
                 last = (b, smooth);
             }
         }
     }
     if outline.closed && !all.is_empty() && last.0 != start {
         let chord = direction(last.0, start);
-        all.push(Side { a: last.0, b: start, ways: [chord; 2], smooth: last.1, part: None });
+        all.push(Side { a: last.0, b: start, ways: [chord; 2], smooth: last.1, part: None, is_tiny: false, still });
     }
     all
 }
@@ -346,27 +366,31 @@ fn turn(part: &Part, (a, b): (Units, Units), smooth: bool, width: i32) -> Vec<Si
         dot(u, v).div_euclid(ONE) > 759_250_125 && dot(u, bend) > 0 && dot(bend, v) > 0 && !is_back
     };
     let (mut u, last) = (way(part.from, false), way(part.to, true));
+    let side = |a, b, ways, smooth| Side { a, b, ways, smooth, part: None, is_tiny: false, still: 0 };
+    if part.from == part.to {
+        return vec![side(a, b, [u; 2], smooth)];
+    }
     let turns_much = ((ONE * ONE - dot(u, last)).max(0) / ONE) * width > 256 * ONE;
     if a != b && leads(u) && leads(last) && !turns_much && is_even(u, part.from, part.to - part.from, last) {
-        return vec![Side { a, b, ways: [u, last], smooth, part: Some(part.clone()) }];
+        return vec![side(a, b, [u, last], smooth)];
     }
     let (mut all, mut time): (Vec<Side>, _) = (vec![], part.from);
     for (place, until) in [(a, part.from + (part.to - part.from) / 2), (b, part.to)] {
         if place == b && a != b {
             let smooth = smooth || !all.is_empty();
-            all.push(Side { a, b, ways: [u; 2], smooth, part: Some(part.clone()) });
+            all.push(side(a, b, [u; 2], smooth));
         }
         while time < until {
             // The longest that halving makes here.
             let mut length = 1;
-            while length < until - time && time % (2 * length) == 0 {
+            while 2 * length <= until - time && time % (2 * length) == 0 {
                 length *= 2;
             }
             while length > 64 && !is_even(u, time, length, way(time + length, true)) {
                 length /= 2;
             }
             let smooth = smooth || !all.is_empty();
-            all.push(Side { a: place, b: place, ways: [u, way(time + length, true)], smooth, part: None });
+            all.push(side(place, place, [u, way(time + length, true)], smooth));
             time += length;
             u = way(time, false);
         }
@@ -420,17 +444,9 @@ impl Pen {
         // Whether a dash ended where the last side did.
         let mut goes_on = false;
         for side in sides {
-            if side.a == side.b {
-                // A turn has no length.
-                goes_on = false;
-                if index % 2 == 0 {
-                    dash.push(side);
-                }
-                continue;
-            }
-            let straight = length(side.a, side.b);
-            let length = side.part.as_ref().map_or(straight, Part::length);
-            let u = if side.part.is_none() { side.ways[0] } else { direction(side.a, side.b) };
+            let straight = if side.a == side.b { 0 } else { length(side.a, side.b) };
+            let length = side.part.as_ref().map_or(straight, Part::length) + side.still;
+            let u = if side.a == side.b || side.part.is_none() { side.ways[0] } else { direction(side.a, side.b) };
             let place = |s: i128| {
                 let along = |from: i32, u: i128| {
                     let n = u.abs() * s;
@@ -451,12 +467,24 @@ impl Pen {
                 },
                 _ => side.ways[1],
             };
+            // The sides between two distances from the start.
+            let sides_between = |s: i128, end: i128| match &side.part {
+                Some(part) if side.is_tiny => {
+                    let at = |s: i128| (part.time_at(s), part.point(part.time_at(s)));
+                    let (from, a) = if s == 0 { (part.from, side.a) } else { at(s) };
+                    let (to, b) = if end == length { (part.to, side.b) } else { at(end) };
+                    turn(&Part { points: part.points.clone(), from, to }, (a, b), s == 0 && side.smooth, self.width)
+                }
+                _ => {
+                    let (a, b, ways) = (place(s), place(end), [way(s), way(end)]);
+                    vec![Side { a, b, ways, smooth: s == 0 && side.smooth, part: None, is_tiny: false, still: 0 }]
+                }
+            };
             let mut s = 0;
-            while s < length {
+            loop {
                 let end = reach.min(length);
                 if index % 2 == 0 {
-                    let (a, b, smooth) = (place(s), place(end), s == 0 && side.smooth);
-                    dash.push(Side { a, b, ways: [way(s), way(end)], smooth, part: None });
+                    dash.extend(sides_between(s, end));
                 }
                 s = end;
                 goes_on = s == reach && index % 2 == 0;
@@ -466,6 +494,9 @@ impl Pen {
                     }
                     index = (index + 1) % lengths.len();
                     reach += lengths[index];
+                }
+                if s == length {
+                    break;
                 }
             }
             reach -= length;

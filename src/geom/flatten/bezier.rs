@@ -223,23 +223,42 @@ impl Bezier {
         self.last == place
     }
 
-    /// How long the piece that came last is, in units of 2^-20 pixel: by its speed at the three times of Gauss's rule. `speed` is the
-    /// length of a slope, as 31 bits, and how many leading zeros it had.
+    /// How long the curve is between two times, in units of 2^-20 pixel: by its speed at the three times of Gauss's rule. `speed` is the
+    /// length of a slope, as 31 bits, and how many leading zeros it had. What is rounded is rounded to nearest: lengths are summed up.
     #[inline(never)]
-    pub(crate) fn length(&self, speed: impl Fn(Way) -> (u32, u32)) -> u64 {
-        let (from, end) = self.times();
+    pub(crate) fn length(&self, (from, end): (u32, u32), speed: impl Fn(Way) -> (u32, u32)) -> u64 {
         let h = end.wrapping_sub(from);
         // The root of 3/5.
         let off = low_u32(product(h, 3_326_808_142) >> 32);
         let at = |twice: u32| {
             let time = from.wrapping_add(twice >> 1);
             let (length, zeros) = speed((self.x.slope(time), self.y.slope(time)));
-            product(length, h).wrapping_shr(zeros.wrapping_sub(1))
+            product(length, h).wrapping_shr(zeros.wrapping_sub(2)).wrapping_add(1) >> 1
         };
         let (a, b, c) = (at(h.wrapping_sub(off)), at(h), at(h.wrapping_add(off)));
-        let sum = a.wrapping_add(c).wrapping_mul(5).wrapping_add(b << 3);
+        let sum = a.wrapping_add(c).wrapping_mul(5).wrapping_add(b << 3).wrapping_add(9);
         // 2^32 / 18.
         magnitude(times((signed_wide(sum >> 32), low_u32(sum)), 238_609_294).0)
+    }
+
+    /// When between two times the curve has gone so far, in units of 2^-20 pixel.
+    #[inline(never)]
+    pub(crate) fn time_at(
+        &self,
+        (mut from, mut end): (u32, u32),
+        mut s: u64,
+        speed: impl Fn(Way) -> (u32, u32),
+    ) -> u32 {
+        while end.wrapping_sub(from) > 1 {
+            let middle = from.wrapping_add(end) >> 1;
+            let length = self.length((from, middle), &speed);
+            if s <= length {
+                end = middle;
+            } else {
+                (from, s) = (middle, s.wrapping_sub(length));
+            }
+        }
+        from
     }
 
     /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
@@ -263,8 +282,9 @@ impl Bezier {
         }
     }
 
+    /// Its point at a time.
     #[cfg_attr(embedded_raster_compact, inline(never))]
-    fn at(&self, t: u32) -> PointFx {
+    pub(crate) fn at(&self, t: u32) -> PointFx {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Point);
         PointFx::from_bits(self.x.at(t), self.y.at(t))

@@ -16,9 +16,12 @@ use super::{
     direction::Direction,
     pen::Pen,
     pieces::{opposite, Each, End, Pieces},
-    sides::{Follow, Outline, Side, Start},
+    sides::{turn, Follow, Outline, Side, Start},
 };
-use crate::geom::{flatten::THIN, PointFx};
+use crate::geom::{
+    flatten::{Bezier, THIN},
+    PointFx,
+};
 
 /// What came before.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -46,6 +49,11 @@ impl<'a, const CURVED: bool> Border<'a, CURVED> {
         let (pieces, nowhere) = (Pieces { pen, each }, PointFx::from_bits(0, 0));
         let end = pieces.end(nowhere, Direction::RIGHT, nowhere, true, false);
         Self { pieces, last: Last::Nothing, end, first: end, has_first: false }
+    }
+
+    /// A tiny part of a curve, between two times.
+    pub(super) fn part(&mut self, curve: &Bezier, times: (u32, u32), ends: (PointFx, PointFx), start: Start) {
+        turn(curve, times, ends, start, self.pieces.pen.width, |side| self.add(side));
     }
 
     /// The side and what is between it and the last one.
@@ -89,6 +97,14 @@ impl<const CURVED: bool> Follow for Border<'_, CURVED> {
     fn side<O: Outline>(&mut self, side: &Side, _: &O) {
         self.add(side);
     }
+
+    fn turn<O: Outline>(&mut self, ends: (PointFx, PointFx), start: Start, outline: &O) {
+        if let Some(curve) = outline.curve() {
+            self.part(curve, curve.times(), ends, start);
+        }
+    }
+
+    fn stay<O: Outline>(&mut self, _: &O) {}
 
     fn hidden<O: Outline>(&mut self, _: PointFx, _: PointFx, _: &O) {
         if self.last == Last::Side && self.end.is_drawn {

@@ -6,12 +6,17 @@
 //!    a ======   ==   ======   ==   =====     a dash goes on around a corner, and has two ends with caps
 //!      |<phase>|                        =    the pattern starts `phase` before the contour does
 //! ```
-//! **The rule.** The pattern runs along each contour from its start, in units of 2^-20 pixel. A side is as long as `floor(2^12 |d|)`,
-//! with d scaled as for [`stroke`](super). A side that stands for a part of a curve is as long as that part. By Gauss's rule this is the
-//! mean of its speeds at three times, times how long it takes: in the middle, and at the root of 3/20 of that time before and after,
-//! which weigh 8, 5 and 5 of 18. The place at a distance s from the start of a side with the direction u is `a + u s`, rounded to the
-//! nearest unit, or the end of the side. Where the side is a part of a curve, the dash ends at right angles to the curve there. Between
-//! two such places, or the ends of the side, a dash is a side of the same direction.
+//! **The rule.** The pattern runs along each contour from its start, in units of 2^-20 pixel. A side is as long as `floor(2^12 |d|)`, with
+//! d scaled as for [`stroke`](super). A side that stands for a part of a curve is as long as that part. By Gauss's rule this is the mean of
+//! its speeds at three times, times how long it takes: in the middle, and at the root of 3/20 of that time before and after, which weigh 8,
+//! 5 and 5 of 18. A part of a curve that ends where it starts is no side; the next side is longer by its length. The place at a distance s
+//! from the start of a side with the direction u is `a + u s`, rounded to the nearest unit, or the end of the side. Where the side is a
+//! part of a curve, the dash ends at right angles to the curve there. Between two such places, or the ends of the side, a dash is a side of
+//! the same direction.
+//!
+//! A tiny part of a curve, within which the pen may turn on the spot (see [`stroke`](super)), is cut by time: its time is halved to 2^-20 of
+//! the curve, each half being as long as Gauss's rule says. What lies between two cuts is such a part itself, from the point of the curve
+//! at the one to that at the other, and turns by what the curve turns by between them.
 //!
 //! A pattern with an odd number of lengths counts twice, the second time with on and off exchanged. Negative lengths count as 0. A
 //! dash that goes on to the end of a ring, and one that begins at its start, are one, with a join. A pattern that is shorter in all
@@ -97,7 +102,8 @@ impl Cut for Dash<'_> {
         let pattern = Pattern::new(self.lengths, pen.width);
         let (sight, first) = (pen.sight.wider(OVERSHOT), pattern.map_or(Place::default(), |p| p.start(self.phase)));
         let border = Border::<CURVED>::new(pen, each);
-        let mut cutter = Cutter { border, sight: &sight, pattern, first, at: first, skipped: 0, has_ended: false };
+        let mut cutter =
+            Cutter { border, sight: &sight, pattern, first, at: first, skipped: 0, still: 0, has_ended: false };
         while let Some(ref mut outline) = contours.next() {
             follow(&mut outline.front(&sight, pattern.is_some()), &sight, pen.width, &mut cutter);
         }
@@ -210,7 +216,7 @@ fn measure<O: Outline>(a: PointFx, b: PointFx, outline: &O) -> (u64, u64) {
     let straight = distance(a, b);
     // The side that closes a ring begins where the last piece ended.
     let curve = outline.curve().filter(|curve| !curve.is_at(a));
-    (straight, curve.map_or(straight, |curve| curve.length(speed)))
+    (straight, curve.map_or(straight, |curve| curve.length(curve.times(), speed)))
 }
 
 impl Length {
@@ -258,6 +264,8 @@ struct Cutter<'a, 'b, const CURVED: bool> {
     at: Place,
     /// How far ahead of that place the pattern is, by sides that cannot be seen.
     skipped: u64,
+    /// How long the parts of curves are that came since the last side, and ended where they started: the next side is longer by that.
+    still: u64,
     /// Whether a dash ended where the last side did. If a ring ends there too, the dash is joined to the first one.
     has_ended: bool,
 }
@@ -265,22 +273,47 @@ struct Cutter<'a, 'b, const CURVED: bool> {
 impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
     fn side<O: Outline>(&mut self, side: &Side, outline: &O) {
         let Some(pattern) = self.pattern else { return self.border.side(side, outline) };
-        self.end();
         let &Side { a, b, ways: [start, _], .. } = side;
         let u = outline.curve().and_then(|_| Direction::between(a, b)).unwrap_or(start);
-        let skipped = pattern.rest(mem::take(&mut self.skipped));
-        pattern.advance(&mut self.at, skipped);
-        if a == b {
-            // A turn has no length.
-            if self.at.is_on() {
-                self.border.side(side, outline);
-            }
-            return;
-        }
         let (straight, whole) = measure(a, b, outline);
+        let whole = whole.wrapping_add(self.begin(&pattern));
         let mut length = Length { side: *side, u, straight, whole, s: 0, at: a };
         while length.s != length.whole {
             self.cut(&pattern, &mut length, outline);
+        }
+    }
+
+    fn turn<O: Outline>(&mut self, (mut a, b): (PointFx, PointFx), start: Start, outline: &O) {
+        let Some(curve) = outline.curve() else { return };
+        let (mut from, end) = curve.times();
+        let Some(pattern) = self.pattern else { return self.border.part(curve, (from, end), (a, b), start) };
+        let whole = curve.length((from, end), speed).wrapping_add(self.begin(&pattern));
+        let (mut s, start_time) = (0, from);
+        loop {
+            let start = if s == 0 { start } else { Start::Corner };
+            let (on, left) = self.go_on(&pattern, whole.wrapping_sub(s));
+            s = s.wrapping_add(left);
+            let is_last = s == whole;
+            let (until, to) = if is_last {
+                (end, b)
+            } else {
+                let time = curve.time_at((start_time, end), s, speed);
+                (time, curve.at(time))
+            };
+            if on {
+                self.border.part(curve, (from, until), (a, to), start);
+            }
+            self.cut_off(on, is_last);
+            if is_last {
+                return;
+            }
+            (from, a) = (until, to);
+        }
+    }
+
+    fn stay<O: Outline>(&mut self, outline: &O) {
+        if let Some(curve) = outline.curve() {
+            self.still = self.still.wrapping_add(curve.length(curve.times(), speed));
         }
     }
 
@@ -289,7 +322,8 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
             // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
             self.has_ended = false;
             let (_, length) = measure(a, b, outline);
-            self.skip(&pattern, length);
+            let still = mem::take(&mut self.still);
+            self.skip(&pattern, length.wrapping_add(still));
         }
         self.border.hidden(a, b, outline);
     }
@@ -313,7 +347,40 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
 
 impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
     fn restart(&mut self) {
-        (self.at, self.skipped, self.has_ended) = (self.first, 0, false);
+        (self.at, self.skipped, self.still, self.has_ended) = (self.first, 0, 0, false);
+    }
+
+    /// Before the next side: how much longer it is than it seems.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    fn begin(&mut self, pattern: &Pattern<'_>) -> u64 {
+        self.end();
+        let skipped = pattern.rest(mem::take(&mut self.skipped));
+        pattern.advance(&mut self.at, skipped);
+        mem::take(&mut self.still)
+    }
+
+    /// Goes on by one length of the pattern, or by `left` if that is less: whether it is on, and how far.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    fn go_on(&mut self, pattern: &Pattern<'_>, left: u64) -> (bool, u64) {
+        let (on, left) = (self.at.is_on(), left.min(self.at.left));
+        self.at.left = self.at.left.wrapping_sub(left);
+        self.has_ended = self.at.left == 0;
+        if self.has_ended {
+            pattern.next(&mut self.at);
+        }
+        (on, left)
+    }
+
+    /// Behind a length of the pattern. A dash that ends where a side does may be joined to another one.
+    #[cfg_attr(embedded_raster_compact, inline(never))]
+    fn cut_off(&mut self, on: bool, is_last: bool) {
+        if on && is_last {
+            return;
+        }
+        // The next dash has a cap, even if what came before a gap cannot be seen.
+        if mem::take(&mut self.has_ended) || !on {
+            self.border.stop();
+        }
     }
 
     /// Ends the dash that went as far as the last side.
@@ -338,7 +405,7 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
         #[cfg(test)]
         crate::num::tally::add(crate::num::tally::Work::Dash);
         let (s, end) = (length.s, length.side.b);
-        let (from, mut left) = (length.at, length.whole.wrapping_sub(s));
+        let (from, left) = (length.at, length.whole.wrapping_sub(s));
         // Between two lengths of the pattern, and with no corner behind, whole periods that cannot be seen are skipped.
         if s > 0 && !self.sight.shows(from) {
             let mut beside = self.sight.beside(from).min(left);
@@ -356,24 +423,12 @@ impl<const CURVED: bool> Cutter<'_, '_, CURVED> {
                 return;
             }
         }
-        let on = self.at.is_on();
-        left = left.min(self.at.left);
+        let (on, left) = self.go_on(pattern, left);
         length.go_to(s.wrapping_add(left));
-        self.at.left = self.at.left.wrapping_sub(left);
-        let ends = self.at.left == 0;
-        if ends {
-            pattern.next(&mut self.at);
-        }
         if on {
             self.dash(length, (s, from), outline);
-            self.has_ended = ends;
-            if length.s != length.whole {
-                self.end();
-            }
-        } else {
-            // The next dash has a cap, even if what came before cannot be seen.
-            self.border.stop();
         }
+        self.cut_off(on, length.s == length.whole);
     }
 
     /// A part of a side, up to the present place.

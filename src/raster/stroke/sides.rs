@@ -152,6 +152,10 @@ pub(super) enum Start {
 pub(super) trait Follow {
     /// A side, which is a part of the last curve of the outline if that has one.
     fn side<O: Outline>(&mut self, side: &Side, outline: &O);
+    /// A side that is a tiny part of the last curve, from one place to another or to the same one: see [`turn`].
+    fn turn<O: Outline>(&mut self, ends: (PointFx, PointFx), start: Start, outline: &O);
+    /// A part of the last curve that is no side: it ends where it starts.
+    fn stay<O: Outline>(&mut self, outline: &O);
     /// A side that lies outside of the window, with all that is drawn for it.
     fn hidden<O: Outline>(&mut self, a: PointFx, b: PointFx, outline: &O);
     /// The end of an open contour: the last side has a cap there.
@@ -179,9 +183,13 @@ pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, width: u32, to:
             Knot { at: start, smooth: false }
         };
         let (a, b) = (last.at, knot.at);
-        let turns = width > THIN && !done && is_tiny(a, b, width) && outline.curve().is_some();
+        let is_part = !done && outline.curve().is_some();
+        let turns = is_part && width > THIN && is_tiny(a, b, width);
         if a == b && !(turns && can_turn(outline, sight, a)) {
             // The same place again makes no side. It is smooth if both are.
+            if is_part {
+                to.stay(outline);
+            }
             last.smooth = last.smooth && (knot.smooth || done);
             continue;
         }
@@ -194,7 +202,7 @@ pub(super) fn follow<O: Outline>(outline: &mut O, sight: &Sight, width: u32, to:
         let no_tip = |smooth: bool, v: PointFx| smooth || sight.hides_corner(v);
         let is_hidden = sight.hides(a, b) && no_tip(last.smooth, a) && no_tip(knot.smooth && !outline.ends_at(b), b);
         if turns && !is_hidden {
-            turn(outline, (a, b), kind, width, to);
+            to.turn((a, b), kind, outline);
             (way, last) = (None, knot);
             continue;
         }
@@ -219,36 +227,44 @@ fn can_turn<O: Outline>(outline: &O, sight: &Sight, at: PointFx) -> bool {
     !sight.hides(at, at) && outline.curve().is_some_and(|curve| curve.way(0, false) != (0, 0))
 }
 
-/// A tiny part of a curve may turn by any angle, and its chord says nothing of where it goes. The pen turns where it starts, goes
-/// straight to where it ends, and turns there.
+/// A tiny part of a curve, between two times, may turn by any angle, and its chord says nothing of where it goes. The pen turns where it
+/// starts, goes straight to where it ends, and turns there.
 #[inline(never)]
-fn turn<O: Outline>(outline: &O, (a, b): (PointFx, PointFx), mut start: Start, width: u32, to: &mut impl Follow) {
-    let Some(curve) = outline.curve() else { return };
+pub(super) fn turn(
+    curve: &Bezier,
+    (from, end): (u32, u32),
+    (a, b): (PointFx, PointFx),
+    mut start: Start,
+    width: u32,
+    mut to: impl FnMut(&Side),
+) {
     let way = |time: u32, before: bool| Direction::of(curve.way(time, before)).unwrap_or(Direction::RIGHT);
-    let (from, end) = curve.times();
     let (mut u, last) = (way(from, false), way(end, true));
     let is_even = |u: Direction, time: u32, length: u32, v: Direction| {
         let bend = Direction::of(curve.bend_of_way(time, length));
         u.is_near(v) && bend.is_some_and(|bend| u.turns_evenly(bend, v, width))
     };
+    if from == end {
+        return to(&Side { a, b, ways: [u; 2], start });
+    }
     if a != b
         && u.leads(a, b)
         && last.leads(a, b)
         && !u.turns_much(last, width)
         && is_even(u, from, end.wrapping_sub(from), last)
     {
-        return to.side(&Side { a, b, ways: [u, last], start }, outline);
+        return to(&Side { a, b, ways: [u, last], start });
     }
-    let half = end.wrapping_sub(from) >> 1;
-    let (mut time, middle) = (from, from.wrapping_add(half));
+    let (mut time, middle) = (from, from.wrapping_add(end) >> 1);
     for (place, until) in [(a, middle), (b, end)] {
         if until != middle && a != b {
-            to.side(&Side { a, b, ways: [u; 2], start }, outline);
+            to(&Side { a, b, ways: [u; 2], start });
             start = Start::Smooth;
         }
         while time < until {
             // The longest that halving makes: a curve from its end to its start is cut at the same times.
-            let mut length = 1_u32.wrapping_shl((time | half).trailing_zeros());
+            let left = until.wrapping_sub(time);
+            let mut length = 1_u32.wrapping_shl(time.trailing_zeros().min(31_u32.wrapping_sub(left.leading_zeros())));
             let v = loop {
                 let v = way(time.wrapping_add(length), true);
                 if length <= LEAST || is_even(u, time, length, v) {
@@ -256,7 +272,7 @@ fn turn<O: Outline>(outline: &O, (a, b): (PointFx, PointFx), mut start: Start, w
                 }
                 length >>= 1;
             };
-            to.side(&Side { a: place, b: place, ways: [u, v], start }, outline);
+            to(&Side { a: place, b: place, ways: [u, v], start });
             time = time.wrapping_add(length);
             (u, start) = (way(time, false), Start::Smooth);
         }
