@@ -450,6 +450,41 @@ fn dashes_do_not_drift_on_cusps() {
     }
 }
 
+/// A ring whose radius is below half of its pen, all around or where it bends most, has no hole there: each place in it is within half a
+/// width of some place of the ring, at a right angle to it. So it is for rings of a circle: they are discs.
+#[test]
+#[expect(clippy::cast_possible_truncation, reason = "a place within some hundred pixels")]
+fn rings_narrower_than_half_of_their_pen_are_full() {
+    let mut rng = Rng::new(569);
+    let window = Rect::new(0, 0, 48, 40);
+    for i in 0..cases(600) {
+        let (x, y) = (rng.int(5_000, 7_000), rng.int(4_000, 6_000));
+        let a = f64::from(rng.int(40, 2_000));
+        let b = if i % 2 == 0 { a } else { a * rng.unit().max(0.02) };
+        let (sin, cos) = (rng.unit() * 7.0).sin_cos();
+        let at = |u: f64, v: f64| {
+            let (u, v) = (u * a, v * b);
+            (x + (u * cos - v * sin).round() as i32, y + (u * sin + v * cos).round() as i32)
+        };
+        let k = 0.552_284_75;
+        let path = [
+            Piece::Move(at(1.0, 0.0)),
+            Piece::Cubic(at(1.0, k), at(k, 1.0), at(0.0, 1.0)),
+            Piece::Cubic(at(-k, 1.0), at(-1.0, k), at(-1.0, 0.0)),
+            Piece::Cubic(at(-1.0, -k), at(-k, -1.0), at(0.0, -1.0)),
+            Piece::Cubic(at(k, -1.0), at(1.0, -k), at(1.0, 0.0)),
+            Piece::Close,
+        ];
+        let width = (2.0 * a * (1.0 + rng.unit())) as i32 + rng.int(2, 2_000);
+        let pen = Pen { width, cap: Cap::Butt, join: rng.pick(&[Join::Miter, Join::Bevel, Join::Round]), limit: 1_024 };
+        let runs = drawn(&segments(&path), &of_pen(pen), window);
+        let wrong = wrong(&Model::new(&path, pen), &runs, window);
+        assert!(wrong.is_empty(), "{i}: {wrong:?} {pen:?} {path:?}\n{}", picture(window, &runs));
+        let is_full = |r: &Run| i % 2 != 0 || runs.iter().filter(|other| other.0 == r.0).count() == 1;
+        assert!(runs.iter().all(is_full), "{i}: {pen:?} {path:?}\n{}", picture(window, &runs));
+    }
+}
+
 /// A round dot has the pixels of the circle, ties and all.
 #[test]
 fn round_dots_are_circles() {

@@ -114,8 +114,35 @@ impl Part {
         point(&self.points, time)
     }
 
-    /// How long it is, in 2^-20 pixel: by its speed at the three times of Gauss's rule.
+    /// How long it is, in 2^-20 pixel: where it is short and turns back, before that and after it.
     pub fn length(&self) -> i128 {
+        let (whole, start) = (self.even_length(), self.slope(self.from));
+        let is_back = |time: i128| {
+            let end = self.slope(time);
+            let mut ways = [start.0, start.1, end.0, end.1];
+            while ways.iter().any(|n| n.abs() >= 1 << 31) {
+                ways = ways.map(|n| n >> 1);
+            }
+            ways[0] * ways[2] + ways[1] * ways[3] < 0
+        };
+        if whole >= 32 << 12 || !is_back(self.to) {
+            return whole;
+        }
+        let (mut before, mut after) = (self.from, self.to);
+        while after - before > 1 {
+            let middle = i128::midpoint(before, after);
+            if is_back(middle) {
+                after = middle;
+            } else {
+                before = middle;
+            }
+        }
+        let part = |from: i128, to: i128| Self { points: self.points.clone(), from, to }.even_length();
+        part(self.from, before) + part(before, self.to)
+    }
+
+    /// The same by its speed at the three times of Gauss's rule.
+    fn even_length(&self) -> i128 {
         let h = self.to - self.from;
         // The root of 3/5, in units of 2^-32.
         let off = (h * 3_326_808_142) >> 32;

@@ -27,6 +27,17 @@ const END: u32 = 1 << TIME_BITS;
 /// Which way a curve goes at a place: a vector of any length.
 pub(crate) type Way = (i64, i64);
 
+/// A part that turns back is shorter than 32 units, in units of 2^-20 pixel: all others are cut where they turn.
+const SHORT: u64 = 32 << 12;
+
+/// Whether two ways differ by more than a quarter of a turn. Both lose as many bits as the longer component has above 31.
+fn is_back(u: Way, v: Way) -> bool {
+    let bits = |n: i64| n.unsigned_abs();
+    let lost = 33_u32.saturating_sub((bits(u.0) | bits(u.1) | bits(v.0) | bits(v.1)).leading_zeros());
+    let product = |n: i64, m: i64| n.wrapping_shr(lost).wrapping_mul(m.wrapping_shr(lost));
+    product(u.0, v.0).wrapping_add(product(u.1, v.1)) < 0
+}
+
 /// A vertex, and whether it lies inside of a curve, where the path has no corner.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Knot {
@@ -192,10 +203,7 @@ impl Bezier {
     /// How the curve's slope changes from a time on, for so long: the slope is a curve of the second degree itself, and this is its middle
     /// control point.
     pub(crate) fn bend_of_way(&self, from: u32, length: u32) -> Way {
-        let slopes = [0, length >> 1, length].map(|t| {
-            let time = from.wrapping_add(t);
-            (self.x.slope(time), self.y.slope(time))
-        });
+        let slopes = [0, length >> 1, length].map(|t| self.slope(from.wrapping_add(t)));
         let control = |[a, m, b]: [i64; 3]| (m << 2).wrapping_sub(a).wrapping_sub(b);
         (control(slopes.map(|s| s.0)), control(slopes.map(|s| s.1)))
     }
@@ -223,16 +231,40 @@ impl Bezier {
         self.last == place
     }
 
-    /// How long the curve is between two times, in units of 2^-20 pixel: by its speed at the three times of Gauss's rule. `speed` is the
-    /// length of a slope, as 31 bits, and how many leading zeros it had. What is rounded is rounded to nearest: lengths are summed up.
+    /// How long the curve is between two times, in units of 2^-20 pixel. `speed` is the length of a slope, as 31 bits, and how many leading
+    /// zeros it had. Where it is short and turns back, as at a cusp, its speed has a kink: it is measured before that and after it.
     #[inline(never)]
     pub(crate) fn length(&self, (from, end): (u32, u32), speed: impl Fn(Way) -> (u32, u32)) -> u64 {
+        let whole = self.even_length((from, end), &speed);
+        let start = self.slope(from);
+        if whole >= SHORT || !is_back(start, self.slope(end)) {
+            return whole;
+        }
+        let (mut before, mut after) = (from, end);
+        while after.wrapping_sub(before) > 1 {
+            let middle = before.wrapping_add(after) >> 1;
+            if is_back(start, self.slope(middle)) {
+                after = middle;
+            } else {
+                before = middle;
+            }
+        }
+        self.even_length((from, before), &speed).wrapping_add(self.even_length((before, end), &speed))
+    }
+
+    fn slope(&self, time: u32) -> Way {
+        (self.x.slope(time), self.y.slope(time))
+    }
+
+    /// The same by its speed at the three times of Gauss's rule. What is rounded is rounded to nearest: lengths are summed up.
+    #[inline(never)]
+    fn even_length(&self, (from, end): (u32, u32), speed: impl Fn(Way) -> (u32, u32)) -> u64 {
         let h = end.wrapping_sub(from);
         // The root of 3/5.
         let off = low_u32(product(h, 3_326_808_142) >> 32);
         let at = |twice: u32| {
             let time = from.wrapping_add(twice >> 1);
-            let (length, zeros) = speed((self.x.slope(time), self.y.slope(time)));
+            let (length, zeros) = speed(self.slope(time));
             product(length, h).wrapping_shr(zeros.wrapping_sub(2)).wrapping_add(1) >> 1
         };
         let (a, b, c) = (at(h.wrapping_sub(off)), at(h), at(h.wrapping_add(off)));
@@ -264,7 +296,7 @@ impl Bezier {
     /// Which way it goes at a time. Where it stands still for a moment, it goes one way before, and perhaps another way after.
     #[inline(never)]
     pub(crate) fn way(&self, time: u32, before: bool) -> Way {
-        let slope = (self.x.slope(time), self.y.slope(time));
+        let slope = self.slope(time);
         if slope != (0, 0) {
             return slope;
         }
