@@ -24,7 +24,7 @@
 //! than 1/16 pixel, or than 1/64 of the width, is solid. A length of 0 is a dot with round caps, and a square with square ones.
 //!
 //! **Work.** A contour that cannot be seen costs a few comparisons a segment, however many dashes it has. Of another one all
-//! is measured that comes before the last part that can be seen: by a square root for each line, and four for each of those that a
+//! is measured that comes before the last part that can be seen: by a square root for each line, and three for each of those that a
 //! curve is cut into. What comes behind is left out. What cannot be seen is measured, and no more: the pattern moves on by the sum
 //! of the lengths, at most one period each time that the contour comes back into view. Of a side that can be seen, whole periods
 //! beside the window are skipped at once. So a stroke takes work for
@@ -72,7 +72,7 @@ impl Stroke {
     /// [`px`](crate::px) of their number.
     ///
     /// What lies behind the last visible part of a contour costs a few comparisons a segment; what lies before it is measured, by a
-    /// square root for each line, and four for each of the lines that a curve is cut into (2^15 at most), as the phase depends on them.
+    /// square root for each line, and three for each of the lines that a curve is cut into (2^15 at most), as the phase depends on them.
     /// That is done once, or for each band of rows if the edge table is too small for the whole stroke.
     /// ```
     /// use embedded_raster::{buffer_bytes, px, Canvas, EdgeSlot, Framebuffer, Index1, Stroke, PointFx};
@@ -202,7 +202,7 @@ fn units(length: I24F8) -> u64 {
 /// A side that is being cut, from `s` on.
 struct Length {
     side: Side,
-    /// From its start straight to its end.
+    /// From its start straight to its end, if it is cut in between; and how far that is.
     u: Direction,
     straight: u64,
     /// As long as the curve, which may be a little more.
@@ -212,12 +212,11 @@ struct Length {
     at: PointFx,
 }
 
-/// How far it is from one place to another, and how far the curve goes, of which this is a part.
-fn measure<O: Outline>(a: PointFx, b: PointFx, outline: &O) -> (u64, u64) {
-    let straight = distance(a, b);
+/// How far it is from one place to another, as the curve goes of which this is a part.
+fn measure<O: Outline>(a: PointFx, b: PointFx, outline: &O) -> u64 {
     // The side that closes a ring begins where the last piece ended.
     let curve = outline.curve().filter(|curve| !curve.is_at(a));
-    (straight, curve.map_or(straight, |curve| curve.length(curve.times(), speed)))
+    curve.map_or_else(|| distance(a, b), |curve| curve.length(curve.times(), speed))
 }
 
 impl Length {
@@ -275,9 +274,11 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
     fn side<O: Outline>(&mut self, side: &Side, outline: &O) {
         let Some(pattern) = self.pattern else { return self.border.side(side, outline) };
         let &Side { a, b, ways: [start, _], .. } = side;
-        let u = outline.curve().and_then(|_| Direction::between(a, b)).unwrap_or(start);
-        let (straight, whole) = measure(a, b, outline);
-        let whole = whole.wrapping_add(self.begin(&pattern));
+        let whole = measure(a, b, outline).wrapping_add(self.begin(&pattern));
+        let (mut u, mut straight) = (start, whole);
+        if outline.curve().is_some() && self.at.left < whole {
+            (u, straight) = (Direction::between(a, b).unwrap_or(start), distance(a, b));
+        }
         let mut length = Length { side: *side, u, straight, whole, s: 0, at: a };
         while length.s != length.whole {
             self.cut(&pattern, &mut length, outline);
@@ -322,9 +323,8 @@ impl<const CURVED: bool> Follow for Cutter<'_, '_, CURVED> {
         if let Some(pattern) = self.pattern {
             // The dash that came here, and its ends, cannot be seen: nothing has to be joined to it.
             self.has_ended = false;
-            let (_, length) = measure(a, b, outline);
             let still = mem::take(&mut self.still);
-            self.skip(&pattern, length.wrapping_add(still));
+            self.skip(&pattern, measure(a, b, outline).wrapping_add(still));
         }
         self.border.hidden(a, b, outline);
     }
