@@ -13,14 +13,14 @@
 //!    +-+---+        u in b..a        a trapezoid    (u - b / 2) / a
 //!     u             u in a..a + b    all but a triangle
 //! ```
-//! Where an end of the line goes through a pixel, of which there are at most four at each end, the pixel is cut by the sides and the
-//! end, corner by corner.
+//! Where an end of the line goes through a pixel, of which there are at most four at each end, the line is the difference of quarters of
+//! the plane, one at each of its corners: [`Band::quarter`] says what one of them covers of a pixel, in a closed form too.
 //!
 //! **How exact.** Distances are sums of steps of `2^-44` pixel, and no sum depends on where the window is. They are rounded to `2^-16`
 //! pixel, areas are off by less than `2^-14` pixel, and levels are rounded once more: at most 0.51 off the true one.
 //!
-//! **Work.** A look at each pixel that is touched and at one or two beside it in each row; a division where the window cuts off the
-//! beginning, and one for each corner of an end.
+//! **Work.** A look at each pixel that is touched and at one or two beside it in each row; to find the first one, as many steps as the
+//! rows and the columns of the window have bits.
 
 use core::num::NonZeroU32;
 
@@ -28,16 +28,16 @@ use super::strip::{level_of, AREA_BITS};
 use crate::{
     geom::{bits, PointFx},
     num::{
-        cast::{low_u32, magnitude, narrow, signed, signed_wide, unsigned},
+        cast::{index, low_u32, narrow, signed, signed_wide, unsigned},
         recip::inverse_root_wide,
-        round::div_rem_wide,
+        wide::product,
     },
     span::{ClippedSpan, Rect, Sink},
     tune::{keep_rolled, COMPACT},
 };
 
-/// The most levels that are told in one call.
-const CHUNK: usize = 32;
+/// The most levels that are told in one call. One at a time is smaller.
+const CHUNK: usize = if COMPACT { 1 } else { 32 };
 
 /// Tells what a line one pixel wide covers, from one place to another; nothing if they are the same.
 ///
@@ -57,16 +57,6 @@ type Place = (i32, i32);
 #[inline(always)]
 fn near(place: i32) -> (i32, i32) {
     (place.saturating_sub(128) >> 8, place.saturating_add(127) >> 8)
-}
-
-#[inline(always)]
-fn is_in(n: i32, (first, last): (i32, i32)) -> bool {
-    first <= n && n <= last
-}
-
-#[inline(always)]
-fn is_near(place: Place, (x, y): Place) -> bool {
-    is_in(y, near(place.1)) && is_in(x, near(place.0))
 }
 
 /// A line from its upper end to its lower one; from left to right if both lie in one row.
@@ -99,24 +89,22 @@ impl Line {
     #[inline(always)]
     fn new(a: Place, b: Place) -> Option<Self> {
         let (x, y) = (b.0.abs_diff(a.0), b.1.abs_diff(a.1));
-        // With 32 bits in the larger one. Halved, the sum of the squares is at least 2^60 and below 2^63.
-        let up = (x | y).leading_zeros();
-        let scaled = |n: u32| u64::from(n.checked_shl(up).unwrap_or(0));
-        let (x, y) = (scaled(x), scaled(y));
-        let square = (x >> 1).wrapping_mul(x >> 1).wrapping_add((y >> 1).wrapping_mul(y >> 1));
-        if square == 0 {
+        if x | y == 0 {
             return None;
         }
-        // 1 / length is `root 2^(shift / 2 - 63)`, with a shift of 0 or 2. It may be off by `2^-30` of itself, for the sine and for the
+        // With 32 bits in the larger one. Halved, the sum of the squares is at least 2^60 and below 2^63.
+        let up = (x | y).leading_zeros() & 31;
+        let (x, y) = (x << up, y << up);
+        let square = product(x >> 1, x >> 1).wrapping_add(product(y >> 1, y >> 1));
+        // 1 / length is `root 2^(shift / 2 - 63)`, with a shift of 0 or 2. It may be off by `2^-29` of itself, for the sine and for the
         // cosine alike: so the direction is exact.
         let (root, shift) = inverse_root_wide(square);
-        let to_44 = 19_u32.wrapping_sub(shift >> 1) & 63;
-        let part = |n: u64| n.wrapping_mul(root.into()).wrapping_add((1 << to_44) >> 1) >> to_44;
-        let (cos, sin) = (part(x), part(y));
-        let [large, small] = [cos.max(sin), cos.min(sin)].map(|n| low_u32(n.wrapping_add(1 << 27) >> 28));
+        let root = if shift == 0 { root >> 1 } else { root };
+        let [cos, sin] = [x, y].map(|n| product(n, root).wrapping_add(1 << 17) >> 18);
+        let band = Band::new([cos, sin].map(|n| low_u32(n.wrapping_add(1 << 27) >> 28)), a.0 <= b.0);
         let (cos, sin) = (signed_wide(cos), signed_wide(sin));
         let cos = if a.0 <= b.0 { cos } else { cos.wrapping_neg() };
-        Some(Self { a, b, cos, sin, band: Band::new(large, small) })
+        Some(Self { a, b, cos, sin, band })
     }
 
     /// How far the centre of a pixel lies beside the line, on the left positive, in `2^-52` pixel. Of what is far away the highest bits are
@@ -127,34 +115,37 @@ impl Line {
         self.cos.wrapping_mul(down).wrapping_sub(self.sin.wrapping_mul(right))
     }
 
+    /// The same in `2^-38` pixel, which no place is too far away for.
+    #[inline(never)]
+    fn about_beside(&self, pixel: Place) -> i64 {
+        let (right, down) = way(self.a, pixel);
+        (self.cos >> 14).wrapping_mul(down).wrapping_sub((self.sin >> 14).wrapping_mul(right))
+    }
+
     /// The first pixel to look at in a window, and the box of all that may be touched there. `None` if the line is not seen.
     ///
-    /// The pixel is at most four pixels away from the line, in the first row that the line touches or above it, and the line lies as far
-    /// ahead along the row as it may go: right of it if the line goes to the right.
+    /// The pixel is at most three pixels beside the line, in the first row that the line touches or above it, and it is the first one that it
+    /// touches there or lies left of that.
     fn first(&self, window: Rect) -> Option<(Place, [Place; 2])> {
+        // A pixel whose centre is more than 1.21 pixels beside the line is not touched.
+        const NEAR: i64 = 3 << 37;
         let (a, b) = (self.a, self.b);
         let (x0, x1) = (near(a.0.min(b.0)).0.max(window.x0), near(a.0.max(b.0)).1.min(window.x1.saturating_sub(1)));
         let (y0, y1) = (near(a.1).0.max(window.y0), near(b.1).1.min(window.y1.saturating_sub(1)));
         if x0 > x1 || y0 > y1 {
             return None;
         }
-        // Where the window cuts off the beginning: the line goes so far one way while it goes `along` the other way. Two pixels less both
-        // ways is at least 1.4 pixels beside the line, and it touches no pixel whose centre is more than 1.21 away.
-        let crossing = |along: i64, (to, of): (u32, u32)| {
-            const MARGIN: i64 = 512;
-            let along = u64::from(low_u32(magnitude(along.wrapping_sub(MARGIN).max(0))));
-            let far = NonZeroU32::new(of).map_or(0, |of| div_rem_wide(along.wrapping_mul(to.into()), of).0);
-            i64::from(far).wrapping_sub(MARGIN)
+        // Further down the line lies further right, or left. In the first row that it is seen in, the pixels on the other side of the window
+        // are left of it, or right of it.
+        let before =
+            if self.cos >= 0 { self.about_beside((x0, y0)).wrapping_neg() } else { self.about_beside((x1, y0)) };
+        let steps = |before: i64, part: i64, from: i32, to: i32| {
+            let most = unsigned(to.wrapping_sub(from));
+            from.wrapping_add_unsigned(steps_until(before.wrapping_sub(NEAR), part >> 14 << 8, most))
         };
-        let pixel = |from: i32, way: i64| narrow(i64::from(from).wrapping_add(way) >> 8);
-        let (wide, high) = (b.0.abs_diff(a.0), b.1.abs_diff(a.1));
-        let goes_right = self.cos >= 0;
-        let start = if goes_right { x0 } else { x1 };
-        let (right, _) = way(a, (start, y0));
-        let y = pixel(a.1, crossing(if goes_right { right } else { right.wrapping_neg() }, (high, wide))).max(y0);
-        let along = crossing(way(a, (start, y)).1, (wide, high));
-        let x = if goes_right { pixel(a.0, along).max(x0) } else { pixel(a.0, along.wrapping_neg()).min(x1) };
-        (y <= y1 && x0 <= x && x <= x1).then_some(((x, y), [(x0, y0), (x1, y1)]))
+        let y = steps(before, signed_wide(self.cos.unsigned_abs()), y0, y1);
+        let x = steps(self.about_beside((x0, y)), self.sin, x0, x1);
+        (self.about_beside((x, y)).unsigned_abs() < NEAR.unsigned_abs() << 1).then_some(((x, y), [(x0, y0), (x1, y1)]))
     }
 
     #[inline(always)]
@@ -162,6 +153,9 @@ impl Line {
         let Some(((mut x, mut y), [(first_x, _), (last_x, last_y)])) = self.first(window) else { return };
         let (mut beside, right, down) = (self.beside((x, y)), self.sin << 8, self.cos << 8);
         let reach = self.band.reach();
+        // Up to the first of these, and from the second one on, the line may end in a pixel.
+        let rows = (near(self.a.1).1, near(self.b.1).0);
+        let columns = (near(self.a.0.min(self.b.0)).1, near(self.a.0.max(self.b.0)).0);
         let mut levels = [0; CHUNK];
         loop {
             // To the first pixel of the row.
@@ -173,24 +167,25 @@ impl Line {
                 keep_rolled(true);
                 (x, beside) = (x.wrapping_sub(1), beside.wrapping_add(right));
             }
-            let meets_end = is_in(y, near(self.a.1)) || is_in(y, near(self.b.1));
-            let (mut at, mut d, mut len) = (x, beside, CHUNK);
-            while len == CHUNK {
-                len = 0;
-                for level in &mut levels {
-                    if at > last_x || short(d) <= reach.wrapping_neg() {
-                        break;
-                    }
-                    let ends = meets_end && (is_near(self.a, (at, y)) || is_near(self.b, (at, y)));
-                    let area = if ends { self.area_at_end((at, y), short(d)) } else { self.band.area(short(d)) };
-                    *level = level_of(area);
-                    len = len.wrapping_add(1);
-                    (at, d) = (at.wrapping_add(1), d.wrapping_sub(right));
-                }
+            let meets_end = y <= rows.0 || y >= rows.1;
+            let columns = if meets_end { columns } else { (i32::MIN, i32::MAX) };
+            let (mut at, mut d) = (x, beside);
+            loop {
+                let most = index(last_x.wrapping_sub(at).wrapping_add(1));
+                let len = if COMPACT || meets_end {
+                    self.levels_at_end((at, y), d, columns, most, &mut levels)
+                } else {
+                    self.levels(d, most, &mut levels, |_, d| self.band.area(d))
+                };
+                at = at.wrapping_add_unsigned(low_u32(len as u64));
                 self.tell_some(levels.get(..len).unwrap_or_default(), (at, y), sink);
+                if len < CHUNK {
+                    break;
+                }
+                d = d.wrapping_sub(right << CHUNK.trailing_zeros());
             }
-            // Below, it goes on beside the window.
-            let is_gone = if down >= 0 { x > last_x } else { short(beside) <= reach.wrapping_neg() };
+            // Where a row has no pixel, the line goes on below, or beside the window.
+            let is_gone = at == x && if down >= 0 { x > last_x } else { short(beside) <= reach.wrapping_neg() };
             if is_gone || y == last_y {
                 return;
             }
@@ -198,10 +193,57 @@ impl Line {
         }
     }
 
+    /// The levels of pixels that are touched, from one on that lies so far beside the line: `most` of them if there are so many. Returns how
+    /// many there are.
+    #[inline(always)]
+    fn levels(&self, mut d: i64, most: usize, levels: &mut [u8; CHUNK], area: impl Fn(usize, i32) -> u32) -> usize {
+        let (beyond, right) = (self.band.reach().wrapping_neg(), self.sin << 8);
+        let Some(levels) = levels.get_mut(..most.min(CHUNK)) else { return 0 };
+        let all = levels.len();
+        let mut left = levels.iter_mut();
+        while short(d) > beyond {
+            keep_rolled(true);
+            let len = all.wrapping_sub(left.len());
+            let Some(level) = left.next() else { return all };
+            *level = level_of(area(len, short(d)));
+            d = d.wrapping_sub(right);
+        }
+        all.wrapping_sub(left.len())
+    }
+
+    /// The same of a row in which the line may end: in columns up to the first one of two, and from the second one on.
+    #[cfg_attr(not(embedded_raster_compact), inline(never))]
+    #[cfg_attr(embedded_raster_compact, inline(always))]
+    fn levels_at_end(
+        &self,
+        (at, y): Place,
+        d: i64,
+        columns: (i32, i32),
+        most: usize,
+        levels: &mut [u8; CHUNK],
+    ) -> usize {
+        self.levels(d, most, levels, |i, d| {
+            let x = at.wrapping_add_unsigned(low_u32(i as u64));
+            if x <= columns.0 || x >= columns.1 {
+                self.area_at_end((x, y), d)
+            } else {
+                self.band.area(d)
+            }
+        })
+    }
+
     /// Tells the levels of the pixels before a pixel. The line may cover less than half a level of the first and of the last one.
     #[inline(always)]
     fn tell_some(&self, mut levels: &[u8], (mut end, y): Place, sink: &mut impl Sink) {
-        if COMPACT || self.band.is_straight {
+        if let (true, &[level]) = (COMPACT, levels) {
+            match level {
+                0 => (),
+                u8::MAX => sink.span(before(levels, (end, y))),
+                _ => sink.coverage(before(levels, (end, y)), levels),
+            }
+            return;
+        }
+        if !COMPACT && self.band.is_straight() {
             return tell_runs(levels, (end, y), sink);
         }
         while let Some((0, rest)) = levels.split_last() {
@@ -217,31 +259,38 @@ impl Line {
         }
     }
 
-    /// What the line covers of a pixel that one of its ends may go through, and that lies so far beside it: what is left of the pixel
-    /// when all is cut off that lies beyond the sides and the ends.
+    /// What the line covers of a pixel that lies so far beside it, wherever its ends are: what lies ahead of the first end, without what
+    /// lies ahead of the last one, left of its right side, without what lies left of its left side.
     #[inline(never)]
     fn area_at_end(&self, pixel: Place, beside: i32) -> u32 {
-        let [cos, sin] = [self.cos, self.sin].map(|n| narrow(n.wrapping_add(1 << 28) >> 29));
-        let beside = beside.wrapping_add(1 << 4) >> 5;
-        let mut shape = Corners { at: [(0, 0); 8], len: 0 };
-        for corner in [(0, 0), (ONE, 0), (ONE, ONE), (0, ONE)] {
-            shape.push(corner);
+        let beside = beside.wrapping_add(8) >> 4;
+        let [cos, sin] = [self.cos, self.sin].map(|n| narrow(n >> 29));
+        let mut area = 0_i32;
+        for end in [self.b, self.a] {
+            // Up to 4 pixels away; what is further lies far ahead, or behind.
+            let away = |centre: i32, end: i32| (centre << 8 | 128).saturating_sub(end).clamp(-1_024, 1_024);
+            let (right, down) = (away(pixel.0, end.0), away(pixel.1, end.1));
+            let along = cos.wrapping_mul(right).wrapping_add(sin.wrapping_mul(down)).wrapping_add(64) >> 7;
+            let [left, right] = [HALF, HALF.wrapping_neg()]
+                .map(|side| self.band.quarter(side.wrapping_sub(beside), along.wrapping_neg(), cos >= 0));
+            area = right.wrapping_sub(left).wrapping_sub(area);
         }
-        shape.cut(HALF.wrapping_add(beside), (sin.wrapping_neg(), cos));
-        shape.cut(HALF.wrapping_sub(beside), (sin, cos.wrapping_neg()));
-        // At most 384 units away in each direction.
-        let along = |from: Place| {
-            let (right, down) = way(from, pixel);
-            cos.wrapping_mul(narrow(right)).wrapping_add(sin.wrapping_mul(narrow(down))).wrapping_add(128) >> 8
-        };
-        if is_near(self.a, pixel) {
-            shape.cut(along(self.a), (cos, sin));
-        }
-        if is_near(self.b, pixel) {
-            shape.cut(along(self.b).wrapping_neg(), (cos.wrapping_neg(), sin.wrapping_neg()));
-        }
-        shape.area()
+        unsigned(area.max(0))
     }
+}
+
+/// How many steps down it takes from a value to one below zero, but no more than `most`, a number below 2^25.
+#[inline(never)]
+fn steps_until(mut value: i64, step: i64, most: u32) -> u32 {
+    let (mut steps, mut bit) = (0, 32_u32.wrapping_sub(most.leading_zeros()));
+    while bit > 0 {
+        bit = bit.wrapping_sub(1);
+        let part = step << (bit & 31);
+        if value >= part {
+            (value, steps) = (value.wrapping_sub(part), steps | 1_u32 << (bit & 31));
+        }
+    }
+    u32::from(value >= 0).wrapping_add(steps).min(most)
 }
 
 /// The pixels that have these levels, before a pixel.
@@ -274,38 +323,44 @@ struct Band {
     end: u32,
     /// 1 / a, in `2^-15`.
     over_a: u32,
-    /// The area of the trapezoid at t = 0, in `2^-31`.
+    /// Where the trapezoid would have no area left: a + b / 2 - i.
     middle: u32,
     /// 1 / (2 a b), divided by `2^shift`.
     over_ab: u32,
     shift: u32,
-    /// It lies so nearly along an axis that it may cover pixels as a whole.
-    is_straight: bool,
+    /// The cosine and the sine, the other way round if the line goes to the left.
+    parts: [u32; 2],
 }
 
 impl Band {
     #[inline(always)]
-    fn new(a: u32, b: u32) -> Self {
-        let over_a = NonZeroU32::new(a).map_or(0, |a| (1 << 31) / a);
+    fn new([cos, sin]: [u32; 2], goes_right: bool) -> Self {
+        // Their sum is at least 1, and none of them above it: so i is not above b / 2.
+        let (a, b) = (cos.max(sin), cos.min(sin));
+        let over = |n: u32, d: u32| NonZeroU32::new(d).map_or(0, |d| n / d);
         let product = a.wrapping_mul(b);
         let zeros = product.leading_zeros();
         // At least 2^15, if b is not 0: then the quotient is at most 2^16.
-        let short = NonZeroU32::new(product.checked_shl(zeros).unwrap_or(0) >> 16);
-        let over_ab = short.map_or(0, |short| ((1 << 31) + (short.get() >> 1)) / short);
-        let inner = a.wrapping_add(b).saturating_sub(1 << 16) >> 1;
-        // 1 - (i - b / 2) / a, where i is not above b / 2.
-        let rise = (b >> 1).saturating_sub(inner).wrapping_mul(over_a);
+        let short = product << (zeros & 31) >> 16;
+        let inner = a.wrapping_add(b).wrapping_sub(1 << 16) >> 1;
+        let last = a.wrapping_sub(inner);
         Self {
             inner,
-            first: b.saturating_sub(inner),
-            last: a.saturating_sub(inner),
-            end: a.wrapping_add(b).wrapping_sub(inner),
-            over_a,
-            middle: (1_u32 << 31).wrapping_add(rise),
-            over_ab,
-            shift: 16_u32.saturating_sub(zeros),
-            is_straight: b < 1 << 9,
+            first: b.wrapping_sub(inner),
+            last,
+            end: last.wrapping_add(b),
+            over_a: over(1 << 31, a),
+            middle: last.wrapping_add(b >> 1),
+            over_ab: over((1 << 31) + (short >> 1), short),
+            shift: 16_u32.wrapping_sub(zeros),
+            parts: if goes_right { [cos, sin] } else { [sin, cos] },
         }
+    }
+
+    /// Whether it lies so nearly along an axis that it may cover pixels as a whole.
+    #[inline(always)]
+    fn is_straight(&self) -> bool {
+        self.parts[0].min(self.parts[1]) < 1 << 9
     }
 
     /// No pixel is touched whose centre is so far from the middle: in `2^-20` pixel.
@@ -329,79 +384,79 @@ impl Band {
             self.corner(self.end.saturating_sub(t))
         } else if t >= self.first {
             // Up to 1, which is 2^31.
-            self.middle.wrapping_sub(t.wrapping_mul(self.over_a)) >> (31 - AREA_BITS)
+            self.middle.wrapping_sub(t).wrapping_mul(self.over_a) >> (31 - AREA_BITS)
         } else {
             let beyond = if t < self.inner { self.corner(self.inner.wrapping_sub(t)) } else { 0 };
             (1_u32 << AREA_BITS).wrapping_sub(self.corner(t.wrapping_add(self.inner))).wrapping_sub(beyond)
         }
     }
-}
 
-/// A pixel, in steps of its corners.
-const ONE: i32 = 1 << 15;
-const HALF: i32 = 1 << 14;
-
-/// The corners of what is left of a pixel: four, and one more for each cut.
-struct Corners {
-    at: [Place; 8],
-    len: usize,
-}
-
-impl Corners {
+    /// How far a corner of a pixel may be from its centre, across the line or along it: (a + b) / 2.
     #[inline(always)]
-    fn push(&mut self, corner: Place) {
-        if let Some(place) = self.at.get_mut(self.len) {
-            *place = corner;
-            self.len = self.len.wrapping_add(1);
-        }
+    fn most(&self) -> i32 {
+        signed(self.parts[0].wrapping_add(self.parts[1]) >> 1)
     }
 
-    /// Cuts off what lies beyond a side: the centre of the pixel lies so far on this side of it, and that grows by the slope.
+    /// What lies beyond a straight line across a pixel, or along it, so far from its centre.
     #[inline(never)]
-    fn cut(&mut self, centre: i32, slope: Place) {
-        let inside = |(x, y): Place| {
-            let part = |n: i32, slope: i32| n.wrapping_sub(HALF).wrapping_mul(slope);
-            // Below 1.5 times 2^29.
-            centre.wrapping_add(part(x, slope.0).wrapping_add(part(y, slope.1)).wrapping_add(HALF) >> 15)
+    fn half(&self, u: i32) -> i32 {
+        let size = u.unsigned_abs();
+        let [p, q] = self.parts;
+        let rest = if size > p.abs_diff(q) >> 1 {
+            self.corner(unsigned(self.most()).saturating_sub(size))
+        } else {
+            // 1/2 - u / a.
+            (1_u32 << 30).wrapping_sub(size.wrapping_mul(self.over_a)) >> (31 - AREA_BITS)
         };
-        let old = self.at;
-        let Some(old) = old.get(..self.len) else { return };
-        let Some(&(mut before)) = old.last() else { return };
-        self.len = 0;
-        for &corner in old {
-            let (from, to) = (inside(before), inside(corner));
-            if (from < 0) != (to < 0) {
-                // At most 2^16 of each.
-                let (part, all) = (from.unsigned_abs(), from.abs_diff(to));
-                let between = |from: i32, to: i32| {
-                    let way = from.abs_diff(to).wrapping_mul(part).wrapping_add(all >> 1);
-                    let way = NonZeroU32::new(all).map_or(0, |all| signed(way / all));
-                    if from < to {
-                        from.wrapping_add(way)
-                    } else {
-                        from.wrapping_sub(way)
-                    }
-                };
-                self.push((between(before.0, corner.0), between(before.1, corner.1)));
-            }
-            if to >= 0 {
-                self.push(corner);
-            }
-            before = corner;
-        }
+        signed(if u < 0 { (1_u32 << AREA_BITS).wrapping_sub(rest) } else { rest })
     }
 
-    /// The area of what is left.
-    fn area(&self) -> u32 {
-        let Some(corners) = self.at.get(..self.len) else { return 0 };
-        let Some(&(mut before)) = corners.last() else { return 0 };
-        // Twice the area is 2^31 at most; what is between may be any number.
-        let mut twice = 0_u32;
-        for &corner in corners {
-            let product = |x: i32, y: i32| unsigned(x.wrapping_mul(y));
-            twice = twice.wrapping_add(product(before.0, corner.1)).wrapping_sub(product(corner.0, before.1));
-            before = corner;
+    /// What lies beyond two of them, one u across the line and one v along it: a quarter of the plane.
+    ///
+    /// Let p and q be the sine and the cosine, and U half of their sum. Where the corner of the quarter lies outside of the pixel, one of the
+    /// four quarters around it has nothing of the pixel, and the others are found from the two halves. Inside, the area changes by the
+    /// length of a side of the quarter where that moves. From 0 at a corner of the pixel, at u = U and v = (p - q) / 2, that is
+    /// ```text
+    ///     (U - u) (U - v) - p q / 2 + f((p - q) / 2 + u) - f((p - q) / 2 - v)
+    ///     f(z)   z^2 q / 2 p      for z >= 0
+    ///           -z^2 p / 2 q      below
+    /// ```
+    /// for a line to the right, and with the cosine for p for one to the left.
+    #[inline(never)]
+    fn quarter(&self, u: i32, v: i32, goes_right: bool) -> i32 {
+        let [q, p] = self.parts;
+        let most = self.most();
+        let [u, v] = [u, v].map(|n| n.max(most.wrapping_neg()).min(most));
+        // Where the corner is, in 2^-30.
+        let [cos, sin] = if goes_right { [q, p] } else { [p.wrapping_neg(), q] }.map(|n| signed(n) >> 1);
+        let (x, y) = (
+            cos.wrapping_mul(v >> 1).wrapping_sub(sin.wrapping_mul(u >> 1)),
+            cos.wrapping_mul(u >> 1).wrapping_add(sin.wrapping_mul(v >> 1)),
+        );
+        let is_beside = x.unsigned_abs() >= 1 << 29;
+        if is_beside || y.unsigned_abs() >= 1 << 29 {
+            let (beyond_u, beyond_v) = (self.half(u), self.half(v));
+            return if is_beside == goes_right {
+                beyond_u.min(beyond_v)
+            } else {
+                beyond_u.wrapping_add(beyond_v).wrapping_sub(1 << AREA_BITS).max(0)
+            };
         }
-        twice >> (31 - AREA_BITS)
+        let bend = |z: i32| {
+            let part = z.unsigned_abs().wrapping_mul(if z < 0 { p } else { q }).wrapping_add(1 << 15) >> 16;
+            let area = signed(self.corner(part));
+            if z < 0 {
+                area.wrapping_neg()
+            } else {
+                area
+            }
+        };
+        let middle = signed(p.wrapping_sub(q)) >> 1;
+        let box_of = product(unsigned(most.wrapping_sub(u)), unsigned(most.wrapping_sub(v))) >> (32 - AREA_BITS);
+        let bends = bend(middle.wrapping_add(u)).wrapping_sub(bend(middle.wrapping_sub(v)));
+        signed(low_u32(box_of)).wrapping_sub(signed(p.wrapping_mul(q) >> (33 - AREA_BITS))).wrapping_add(bends)
     }
 }
+
+/// Half a pixel.
+const HALF: i32 = 1 << 15;
