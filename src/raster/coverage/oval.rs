@@ -347,7 +347,12 @@ impl Oval {
             Some(stretch) => (place, stretch.up(guess)),
         };
         let (t, guess) = (t.min(self.circle), guess.min(self.circle));
-        let root = near_root(product(self.circle.wrapping_sub(t), self.circle.wrapping_add(t)), guess);
+        let square = product(self.circle.wrapping_sub(t), self.circle.wrapping_add(t));
+        let mut root = near_root(square, guess);
+        // Where a step is a 128th of a pixel or more, the nearest one.
+        if self.bulge.up > 4 && square.wrapping_sub(product(root, root)) > u64::from(root) {
+            root = root.wrapping_add(1);
+        }
         match self.stretch {
             Some(stretch) if !on_short_axis => stretch.down(root),
             _ => root,
