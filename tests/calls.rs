@@ -16,6 +16,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("Varying", "planes call it"),
     ("Small", "shades of small triangles call it"),
     ("Depth", "shades with depths call it"),
+    ("DepthCell", "the same"),
     ("DepthOf", "triangles with depths call it"),
     ("Channels", "textures call it"),
     ("Numbers", "values in perspective call it"),
