@@ -37,8 +37,8 @@ pub(crate) const fn high_word(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The same from products of halves. A compiler that sees what it comes to calls the function for products of 64 bits after all, so one of
-/// the sums is hidden.
+/// The same from products of halves. LLVM would see that this is the high half of a product of 64 bits, and call the function for those,
+/// which takes twice as long; so one of the sums is hidden from it.
 #[inline]
 const fn high_by_halves(a: u32, b: u32) -> u32 {
     let ((a1, a0), (b1, b0)) = ((a >> 16, a & 0xffff), (b >> 16, b & 0xffff));

@@ -29,7 +29,7 @@ pub trait Depth: PixelFormat<Color = Self> + Copy {
     /// Its place in memory, at any address.
     #[doc(hidden)]
     type Cell: DepthCell<Self::Number>;
-    /// The same where a small triangle is drawn: at an address from which the chip loads it at once.
+    /// The same for small triangles: a word, if the chip loads words only at multiples of their size.
     #[doc(hidden)]
     type Word: DepthCell<Self::Number>;
 }

@@ -237,7 +237,8 @@ fn mean<C: Channels>(colors: [C; 4], (right, down): (u32, u32)) -> C {
             let sum = product(upper, 0x1_0000_u32.wrapping_sub(down)).wrapping_add(product(lower, down));
             low_u32(sum.wrapping_add(1 << 31) >> 32)
         } else {
-            // So much of the way from one to the other, in halves. What is cut off decides nothing, as half a level has fewer bits.
+            // From the upper mean, a part of the way to the lower one, from products of halves. Cutting off the lowest 16 bits first does not
+            // change how the rest is rounded.
             let way = lower.wrapping_sub(upper);
             let low = (way & 0xffff).wrapping_mul(down) >> 16;
             let part = unsigned(signed(way) >> 16).wrapping_mul(down).wrapping_add(low);

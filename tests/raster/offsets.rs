@@ -390,6 +390,19 @@ fn dashes_are_within_a_seventh() {
     assert!(inside > 0, "nothing is inside");
 }
 
+/// Around the end of a long path its dashes lie where the model has them, and there are more pixels than a few.
+fn dashes_are_in_place_at(at: (i32, i32), path: &[Piece], pen: Pen, few: i32, what: &str) {
+    let mut model = Model::dashed(path, pen, &[1_500.0, 1_400.0], 0.0);
+    model.keep_near((f64::from(at.0), f64::from(at.1)), 14_000.0 + f64::from(pen.width));
+    let (x, y) = (at.0 / 256, at.1 / 256);
+    let window = Rect::new(x - 14, y - 14, x + 14, y + 14);
+    let lengths = [1_500, 1_400].map(I24F8::from_bits);
+    let runs = drawn(&segments(path), &of_pen(pen).dashed(&lengths, I24F8::ZERO), window);
+    let wrong = wrong(&model, &runs, window);
+    assert!(wrong.is_empty(), "{what}: {wrong:?}\n{}", picture(window, &runs));
+    assert!(count(&runs) > few, "{what}: {}", picture(window, &runs));
+}
+
 /// At the end of paths of 60,000 pixels, to and fro, in lines or curves: dashes are where the length of all that comes before puts them.
 #[test]
 fn dashes_do_not_drift() {
@@ -407,15 +420,7 @@ fn dashes_do_not_drift() {
             path.push(if is_curved { Piece::Cubic((at.0, above), (to.0, above), to) } else { Piece::Line(to) });
             at = to;
         }
-        let mut model = Model::dashed(&path, pen, &[1_500.0, 1_400.0], 0.0);
-        model.keep_near((f64::from(at.0), f64::from(at.1)), 14_000.0);
-        let (x, y) = (at.0 / 256, at.1 / 256);
-        let window = Rect::new(x - 14, y - 14, x + 14, y + 14);
-        let lengths = [1_500, 1_400].map(I24F8::from_bits);
-        let runs = drawn(&segments(&path), &of_pen(pen).dashed(&lengths, I24F8::ZERO), window);
-        let wrong = wrong(&model, &runs, window);
-        assert!(wrong.is_empty(), "{size} {is_curved}: {wrong:?}\n{}", picture(window, &runs));
-        assert!(count(&runs) > 20, "{size} {is_curved}: {}", picture(window, &runs));
+        dashes_are_in_place_at(at, &path, pen, 20, &format!("{size} {is_curved}"));
     }
 }
 
@@ -439,15 +444,7 @@ fn dashes_do_not_drift_on_cusps() {
             });
             at = to;
         }
-        let mut model = Model::dashed(&path, pen, &[1_500.0, 1_400.0], 0.0);
-        model.keep_near((f64::from(at.0), f64::from(at.1)), 14_000.0 + f64::from(width));
-        let (x, y) = (at.0 / 256, at.1 / 256);
-        let window = Rect::new(x - 14, y - 14, x + 14, y + 14);
-        let lengths = [1_500, 1_400].map(I24F8::from_bits);
-        let runs = drawn(&segments(&path), &of_pen(pen).dashed(&lengths, I24F8::ZERO), window);
-        let wrong = wrong(&model, &runs, window);
-        assert!(wrong.is_empty(), "{i} {width}: {wrong:?}\n{}", picture(window, &runs));
-        assert!(count(&runs) > 3, "{i} {width}: {}", picture(window, &runs));
+        dashes_are_in_place_at(at, &path, pen, 3, &format!("{i} {width}"));
     }
 }
 

@@ -316,7 +316,7 @@ impl Oval {
         // They come in 1/512 pixel, below 2^42.
         let zeros = signed_wide(magnitude(radii.0.max(radii.1))).leading_zeros();
         let bits = zeros.saturating_sub(25).min(BITS);
-        // To the nearest step. Where a pixel is one, downwards: a box of pixels stays within its sides.
+        // To the nearest step; where a pixel is a single step, down, so that the curve in a box of pixels stays in it.
         let half = if bits > 0 { 256 >> (bits & 31) } else { 0 };
         let scaled = |n: i64| {
             if bits >= 9 {

@@ -9,11 +9,11 @@
 //! **The rule.** The pattern runs along each contour from its start, in units of 2^-20 pixel. A side is as long as `floor(2^12 |d|)`,
 //! with d scaled as for [`stroke`](super). A side that stands for a part of a curve is as long as that part. By Gauss's rule this is the
 //! mean of its speeds at three times, times how long it takes: in the middle, and at the root of 3/20 of that time before and after,
-//! which weigh 8, 5 and 5 of 18. A part below 32 units at whose end the curve goes back, by more than a quarter of a turn, is measured in
-//! two, up to the last time at which it does not and from there on. A part of a curve that ends where it starts is no side; the next side
-//! is longer by its length. The place at a distance s from the start of a side with the direction u is `a + u s`, rounded to the nearest
-//! unit, or the end of the side. Where the side is a part of a curve, the dash ends at right angles to the curve there. Between two such
-//! places, or the ends of the side, a dash is a side of the same direction.
+//! which weigh 8, 5 and 5 of 18. A part shorter than 32 units at whose end the curve has turned by more than a quarter of a turn is
+//! measured in two: until it has, and from then on. A part of a curve that ends where it starts is no side; the next side is longer by
+//! its length. The place at a distance s from the start of a side with the direction u is `a + u s`, rounded to the nearest unit, or the
+//! end of the side. Where the side is a part of a curve, the dash ends at right angles to the curve there. Between two such places, or
+//! the ends of the side, a dash is a side of the same direction.
 //!
 //! A tiny part of a curve, within which the pen may turn on the spot (see [`stroke`](super)), is cut by time: its time is halved to 2^-20 of
 //! the curve, each half being as long as Gauss's rule says. What lies between two cuts is such a part itself, from the point of the curve
