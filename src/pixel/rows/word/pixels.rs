@@ -185,10 +185,11 @@ pub(in crate::pixel::rows) fn write_parts<F: PixelFormat, R: Copy>(
 ) {
     match F::BITS {
         8 => in_parts(pixels, most, run, go_on, |part, run| in_fours(part, || low_u8(next(run)))),
-        // `go_on` is called at one place for even and odd addresses: at two, it would not be inlined.
+        // `go_on` is called at one place for even and odd addresses: at two, it would not be inlined. Twice the length of a part fits, as it
+        // is shorter than a row.
         16 if HALVES => {
             let go_on = |run: &mut R, bytes: usize| go_on(run, bytes / 2);
-            in_parts(pixels, most.saturating_mul(2), run, go_on, |part, run| write_all::<F>(part, || next(run)));
+            in_parts(pixels, most.wrapping_mul(2), run, go_on, |part, run| write_all::<F>(part, || next(run)));
         }
         16 => {
             let pixels = pod_align_to_mut::<u8, [u8; 2]>(pixels).1;
